@@ -72,21 +72,10 @@ class Search {
     }
 
   private:
-    std::size_t ticks(double seconds) const {
-        return static_cast<std::size_t>(std::ceil(seconds / run_.dt()));
-    }
-    // This long before `tick`, but not before an earlier way back to the start.
-    std::size_t before(std::size_t tick, double seconds) const {
-        std::size_t at = tick - std::min(tick, ticks(seconds));
-        for (std::size_t i = at; i < tick; ++i)
-            if (run_.samples()[i].respawned) at = i + 1;
-        return at;
-    }
-
     void prepare() {
         start_ = run_start(*scene_, run_.start());
-        first_ = before(std::min(stop_.first, stop_.left), lead_s);
-        end_ = std::min(run_.length(), stop_.first + ticks(after_s));
+        first_ = ticks_before(run_, std::min(stop_.first, stop_.left), lead_s);
+        end_ = std::min(run_.length(), stop_.first + ticks_in(run_, after_s));
         const double stop_ticks = static_cast<double>(stop_.last - stop_.first + 1);
         const double seen = static_cast<double>(std::min(end_, stop_.last + 1) - stop_.first);
         lost_m_ = stop_.lost_m * seen / stop_ticks;
@@ -96,7 +85,7 @@ class Search {
                       static_cast<double>(end_ - stop_.first);
         }
         began_ = run_.state_before(*scene_, first_);
-        long_before_ = run_.state_before(*scene_, before(first_, cost_before_s));
+        long_before_ = run_.state_before(*scene_, ticks_before(run_, first_, cost_before_s));
         as_is_m_ = play({}).advanced_m;
     }
 
@@ -121,8 +110,8 @@ class Search {
 
     Trial play_long(const std::vector<std::string>& settings) {
         Trial trial;
-        trial.tick = before(first_, cost_before_s);
-        trial.end = std::min(run_.length(), end_ + ticks(cost_after_s));
+        trial.tick = ticks_before(run_, first_, cost_before_s);
+        trial.end = std::min(run_.length(), end_ + ticks_in(run_, cost_after_s));
         trial.mark = first_;
         trial.mark_end = end_;
         trial.settings = settings;

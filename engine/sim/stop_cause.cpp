@@ -114,7 +114,8 @@ void name_cause(Stop& stop, WhatHolds& holds, std::span<const Holding> found, st
         loss.hole = true;
         return;
     }
-    // A second wall that leans against the stick from another side. Who is thin enough gets through a gap.
+    // A second wall stands against the stick. If a much thinner player gets on, the two are a gap, else a
+    // corner.
     const Obstacle wall{{}, loss.face, loss.normal, loss.position, main->platform};
     std::optional<Obstacle> other = holds.beside(wall, stop.first, stop.last);
     if (!other) other = holds.beside(*main, stop.first, stop.last);

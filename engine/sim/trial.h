@@ -1,11 +1,23 @@
 // A part of a run played again, with other settings or in a changed scene.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "slipface/sim/run.h"
 
 namespace slipface {
+
+inline std::size_t ticks_in(const TapeRun& run, double seconds) {
+    return static_cast<std::size_t>(std::ceil(seconds / run.dt()));
+}
+// The tick so long before `tick`, but not before an earlier way back to the start.
+inline std::size_t ticks_before(const TapeRun& run, std::size_t tick, double seconds) {
+    std::size_t at = tick - std::min(tick, ticks_in(run, seconds));
+    for (std::size_t i = at; i < tick; ++i)
+        if (run.samples()[i].respawned) at = i + 1;
+    return at;
+}
 
 // A stretch of the tape run with a change. Ends where the player is sent back to the start.
 struct Trial {

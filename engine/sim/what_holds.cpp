@@ -1,5 +1,7 @@
 #include "what_holds.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -123,13 +125,6 @@ struct WhatHolds::Impl {
         if (!wish.isZero(0.0)) met.heading = Vec3(wish.x(), 0.0, wish.y()).normalized();
         met.walkable = std::cos(run.settings_at(tick).max_slope);
     }
-    // This long before `tick`, but not before an earlier way back to the start.
-    std::size_t before(std::size_t tick, double seconds) const {
-        std::size_t at = tick - std::min(tick, ticks(seconds));
-        for (std::size_t i = at; i < tick; ++i)
-            if (run.samples()[i].respawned) at = i + 1;
-        return at;
-    }
     std::vector<std::size_t> all() const {
         std::vector<std::size_t> indices(obstacles.size());
         std::iota(indices.begin(), indices.end(), std::size_t{0});
@@ -148,10 +143,6 @@ struct WhatHolds::Impl {
         nothing = built->nothing();
         mesh = level.mesh;
         return nothing.has_value();
-    }
-
-    std::size_t ticks(double seconds) const {
-        return static_cast<std::size_t>(std::ceil(seconds / run.dt()));
     }
 
     // Plays the ticks from `first` up to `end` without the obstacles in `gone`.
@@ -293,8 +284,8 @@ std::vector<Holding> WhatHolds::of_stop(std::size_t first, double lost_m) {
     if (impl.run.input_at(first).wish.isZero(0.0) || !(lost_m > 0.0) || !impl.build()) return {};
     impl.forget();
     impl.look_along(first);
-    impl.begin = impl.before(first, run_up_s);
-    impl.end = first + impl.ticks(looked_at_s);
+    impl.begin = ticks_before(impl.run, first, run_up_s);
+    impl.end = first + ticks_in(impl.run, looked_at_s);
     impl.needed = impl.play(impl.begin, impl.end, {}, &impl.met).advanced_m + regained * lost_m;
     impl.met_first = impl.met.all;
     impl.behind = impl.met.behind;
@@ -316,7 +307,8 @@ std::optional<Obstacle> WhatHolds::beside(const Obstacle& wall, std::size_t firs
     at_rest.offset = impl.met.offset;
     at_rest.walkable = impl.met.walkable;
     at_rest.all = impl.met_first;
-    impl.play(std::max(first, last - std::min(last, impl.ticks(looked_at_s))), last + 1, {}, &at_rest);
+    impl.play(std::max(first, last - std::min(last, ticks_in(impl.run, looked_at_s))), last + 1, {},
+              &at_rest);
     const Meeting* found = nullptr;
     for (const Meeting& other : at_rest.all) {
         if (other.face == wall.face) continue;
@@ -334,12 +326,13 @@ FaceId WhatHolds::rim_before(double nearest, std::size_t tick) {
     Impl& impl = *impl_;
     const PlayerState state = impl.state_before(tick);
     const MovementSettings settings = impl.run.settings_at(tick);
-    if (!state.grounded) return no_id;
+    // What moves under the feet is not among what the ray below sees.
+    if (!state.grounded || state.ground_platform != no_id) return no_id;
     if (impl.behind != no_id) return impl.behind;
-    const Vec3 feet = state.position - Vec3(0.0, settings.radii.y(), 0.0);
+    const MovementScene scene = impl.scene->at(tick, impl.run.dt());
+    const Vec3 feet = position_in_scene(scene, state) - Vec3(0.0, settings.radii.y(), 0.0);
     const Vec3 above = feet + 0.5 * nearest * impl.met.heading + Vec3(0.0, 0.5 * settings.radii.y(), 0.0);
     const double down = 0.5 * settings.radii.y() + std::max(settings.step_height, settings.radii.y());
-    const MovementScene scene = impl.scene->at(tick, impl.run.dt());
     const bool ground =
         cast_ray(scene.collision, above, Vec3(0.0, -down, 0.0), 1.0, RayStops::as_movement).has_value();
     return ground ? no_id : state.ground_face;
@@ -351,7 +344,7 @@ bool WhatHolds::lets_thin_through() {
     const Vec3 radii = thin * impl.run.settings_at(impl.begin).radii;
     const Trial trial =
         impl.play(impl.begin, impl.end, {}, nullptr,
-                  {"radius_x=" + std::to_string(radii.x()), "radius_z=" + std::to_string(radii.z())});
+                  {fmt::format("radius_x={}", radii.x()), fmt::format("radius_z={}", radii.z())});
     return trial.advanced_m >= impl.needed;
 }
 
@@ -360,7 +353,7 @@ std::vector<Holding> WhatHolds::of_crush(std::size_t tick) {
     if (!impl.build()) return {};
     impl.forget();
     impl.met.every = true;
-    impl.begin = impl.before(tick, run_up_s);
+    impl.begin = ticks_before(impl.run, tick, run_up_s);
     impl.end = tick + 1;
     impl.play(impl.begin, impl.end, {}, &impl.met);
     impl.note(impl.met.all);

@@ -50,7 +50,7 @@ class WhatHolds {
     };
     std::optional<Carrier> of_fall(std::size_t left, std::size_t end);
 
-    // Each of these would have spared a player who was crushed in tick `tick`, if it had not been there.
+    // Without any one of these the player would not have been crushed in tick `tick`.
     std::vector<Holding> of_crush(std::size_t tick);
 
     // The lowest and the highest point, above the player's feet in metres, of the first object that stands in
