@@ -3,6 +3,7 @@
 #include <assimp/NullLogger.hpp>
 
 #include "assimp/import_scene.h"
+#include "gltf/import_gltf.h"
 
 namespace slipface {
 
@@ -11,10 +12,13 @@ bool reads_scenes() {
 }
 
 Result<ImportedSoup> import_scene(const std::filesystem::path& path, const std::string& extension,
-                                  std::string, WarningList&, Progress*) {
-    return Error{path.string(),
-                 "is a file of the format " + extension +
-                     ", which only Slipface with assimp reads (on Linux); expected *.obj or *.bsp"};
+                                  std::string bytes, WarningList& warnings, Progress* progress) {
+    if (extension == "gltf" || extension == "glb")
+        return import_gltf(path, std::move(bytes), warnings, progress);
+    return Error{
+        path.string(),
+        "is a file of the format " + extension +
+            ", which only Slipface with assimp reads (on Linux); expected *.obj, *.bsp, *.gltf or *.glb"};
 }
 
 }  // namespace slipface

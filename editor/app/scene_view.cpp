@@ -45,31 +45,36 @@ void SceneView::upload() {
         level_.set_face_surfaces(apart ? document.resolved_parts().own.surface : document.resolved().surface);
         ++uploads_;
     }
-    const bool other_props = (apart || props_) && (other_types || props_ != level.mesh.placed());
+    // Those that are animated are always instances.
+    const bool animated = has_animated_props(level), drawn_props = apart || animated;
+    std::vector<Animation> animations;
+    for (const Prop& prop : level.props)
+        if (animated) animations.push_back(prop.animation);
+    const bool other_props = (drawn_props || props_) &&
+                             (other_types || props_ != level.mesh.placed() || animations_ != animations);
     if (other_props) {
         props_ = level.mesh.placed();
-        for (Diagnostic& warning : level_.set_props(level, document.resolved_parts().props))
+        animations_ = std::move(animations);
+        const PropSurfaces& types = document.resolved_parts().props;
+        for (Diagnostic& warning :
+             apart ? level_.set_props(level, types) : level_.set_animated_props(level, types))
             texture_warnings_.push_back(std::move(warning));
+        highlights_hash_ = 0;
         ++uploads_;
     }
 
     // Platforms are where the playtest's last tick left them; while editing, at the level's start.
     const std::vector<std::uint32_t> parts = face_platforms(level);
-    if (!parts.empty() || moved_) {
+    if (!parts.empty() || animated || moved_) {
         const double time_s =
             editor_.playtest ? static_cast<double>(editor_.playtest->tape().tick_count()) * Playtest::tick_s
                              : 0.0;
+        level_.animate_props(time_s);
         if (other_mesh || other_props || !moved_ || *moved_ != time_s) {
             const std::vector<Pose> poses = platform_poses(level, time_s);
             level_.move_faces(std::span(parts).first(std::min(parts.size(), mesh_->face_count())), poses);
-            std::map<std::uint32_t, Pose> props;
-            for (std::uint32_t i = 0; apart && !parts.empty() && i < level.props.size(); ++i) {
-                const FaceId first = level.placed.first_face[i];
-                if (first < level.placed.first_face[i + 1] && parts[first] != no_id)
-                    props[i] = poses[parts[first]];
-            }
-            level_.move_props(props);
-            moved_ = parts.empty() ? std::optional<double>() : time_s;
+            level_.move_props(prop_poses(level, parts, poses));
+            moved_ = parts.empty() && !animated ? std::optional<double>() : time_s;
             ++uploads_;
         }
     }

@@ -43,8 +43,9 @@ class SceneView final : public ViewportServices {
     std::optional<LevelLight> light_;
     std::uint64_t face_revision_ = 0, highlights_hash_ = 0, texture_revision_ = 0;
     FaceHighlights highlights_;
-    std::optional<double> moved_;  // the time of the platforms' positions; nothing: nothing moves
-    std::uint64_t uploads_ = 0;    // grows whenever the GPU's copy changed
+    std::vector<Animation> animations_;  // of props_
+    std::optional<double> moved_;        // the time of the platforms' positions; nothing: nothing moves
+    std::uint64_t uploads_ = 0;          // grows whenever the GPU's copy changed
     std::size_t draft_from_;
     bool draft_ = false;  // the next images are drafts
     Warnings texture_warnings_;

@@ -35,8 +35,31 @@ bool set_member(ScriptContext& context, Prop& prop, const std::string& member, c
         if (value) prop.*vector = *value * unit;
         return value.has_value();
     }
-    context.fail("no member \"" + member +
-                 "\" of props; there are: name, mesh, position, rotation, scale, texture, type");
+    Animation& animation = prop.animation;
+    if (member == "clip") return animation.clip = word, true;
+    const std::pair<const char*, double*> numbers[] = {{"speed", &animation.speed},
+                                                       {"phase", &animation.phase_s},
+                                                       {"scroll_u", &animation.scroll.x()},
+                                                       {"scroll_v", &animation.scroll.y()},
+                                                       {"pictures_per_second", &animation.pictures_per_s}};
+    const std::pair<const char*, int*> counts[] = {{"columns", &animation.columns},
+                                                   {"rows", &animation.rows}};
+    for (const auto& [name, to] : numbers) {
+        if (member != name) continue;
+        const std::optional<double> value = number(context, word);
+        if (value) *to = *value;
+        return value.has_value();
+    }
+    for (const auto& [name, to] : counts) {
+        if (member != name) continue;
+        const std::optional<double> value = number(context, word);
+        if (value) *to = static_cast<int>(std::clamp(*value, 1.0, static_cast<double>(max_pictures_a_side)));
+        return value.has_value();
+    }
+    context.fail(
+        "no member \"" + member +
+        "\" of props; there are: name, mesh, position, rotation, scale, texture, type, clip, speed, phase, "
+        "scroll_u, scroll_v, columns, rows, pictures_per_second");
     return false;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <set>
+#include <span>
 
 #include "cli/format.h"
 #include "cli/verbs.h"
@@ -11,6 +12,7 @@
 #include "slipface/level/find_start.h"
 #include "slipface/level/level_file.h"
 #include "slipface/mesh/open_edges.h"
+#include "slipface/mesh/rig.h"
 #include "slipface/mesh/size_doubt.h"
 #include "slipface/mesh/texture_file.h"
 #include "slipface/mesh/up_doubt.h"
@@ -127,6 +129,12 @@ double bytes_a_triangle(const LevelInfo& info) {
     return triangles == 0 ? 0.0 : static_cast<double>(info.bvh.bytes) / static_cast<double>(triangles);
 }
 
+// Of the geometry's own file; those of props are the props'.
+std::span<const Clip> clips_of(const Level& level) {
+    const MeshPtr& mesh = own_mesh(level);
+    return mesh && mesh->rig ? std::span<const Clip>(mesh->rig->clips) : std::span<const Clip>();
+}
+
 void print_info_json(const LevelInfo& info, std::ostream& out) {
     const Level& level = info.loaded.level;
     const Mesh& mesh = *level.mesh;
@@ -138,6 +146,9 @@ void print_info_json(const LevelInfo& info, std::ostream& out) {
     json["vertices"] = mesh.positions.size();
     json["materials"] = mesh.materials.size();
     json["props"] = level.props.size();
+    json["clips"] = OutputJson::array();
+    for (const Clip& clip : clips_of(level))
+        json["clips"].push_back({{"name", clip.name}, {"seconds", clip.seconds}});
     json["faces_per_type"] = OutputJson::object();
     for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
         json["faces_per_type"][level.surfaces[i].name] = info.faces_of_type[i];
@@ -223,6 +234,9 @@ void print_info_text(const LevelInfo& info, std::ostream& out) {
     print_row(out, "faces", std::to_string(mesh.face_count()));
     print_row(out, "triangles", std::to_string(mesh.triangle_count()));
     print_row(out, "materials", std::to_string(mesh.materials.size()));
+    const std::span<const Clip> clips = clips_of(level);
+    for (std::size_t i = 0; i < clips.size(); ++i)
+        print_row(out, i == 0 ? "clips" : "", fmt::format("{}  {:.3g} s", clips[i].name, clips[i].seconds));
     if (!level.props.empty())
         print_row(out, "props",
                   fmt::format("{} of {} meshes", level.props.size(), level.placed.meshes.size()));

@@ -103,6 +103,47 @@ void prop_look_rows(const PropTarget& target) {
     if (name_combo("Type", to.type, types, "by material", nullptr)) target.put(to, "type");
 }
 
+// The clips of its mesh, and the motion of its texture. Shown in Play; collision sees the mesh at rest.
+void prop_animation_rows(const PropTarget& target) {
+    Prop to = target.now();
+    Animation& animation = to.animation;
+    const PropMesh* const file = find_prop_mesh(target.editor.document->level(), to.mesh);
+    if (file != nullptr && file->mesh && file->mesh->rig) {
+        std::vector<std::string> clips;
+        for (const Clip& clip : file->mesh->rig->clips)
+            clips.push_back(clip.name);
+        property_row("Clip", "What its mesh plays; the player meets it at rest");
+        if (name_combo("Clip", animation.clip, clips, "at rest", nullptr)) target.put(to, "clip");
+        if (!animation.clip.empty()) {
+            property_row("Clip speed", "Times the clip's own; below 0 it plays backwards");
+            if (number_slider("Clip speed", &animation.speed, -4.0, 4.0, "", nullptr))
+                target.put(to, "clip speed");
+            property_row("Phase", "How far it is ahead of others with this clip");
+            if (number_slider("Phase", &animation.phase_s, 0.0, 10.0, "s", nullptr)) target.put(to, "phase");
+        }
+    }
+    property_row("Scroll across", "Its texture moves over the faces: widths per second");
+    if (number_slider("Scroll across", &animation.scroll.x(), -4.0, 4.0, "/s", nullptr))
+        target.put(to, "scroll");
+    property_row("Scroll up", "Its texture moves over the faces: heights per second");
+    if (number_slider("Scroll up", &animation.scroll.y(), -4.0, 4.0, "/s", nullptr)) target.put(to, "scroll");
+    property_row("Pictures", "Side by side in its texture, shown one after the other");
+    double columns = animation.columns, rows = animation.rows;
+    if (number_slider("Pictures", &columns, 1.0, 16.0, "", nullptr, true)) {
+        animation.columns = static_cast<int>(columns);
+        target.put(to, "pictures");
+    }
+    property_row("Rows of pictures", "Below each other, the upper ones first");
+    if (number_slider("Rows of pictures", &rows, 1.0, 16.0, "", nullptr, true)) {
+        animation.rows = static_cast<int>(rows);
+        target.put(to, "rows of pictures");
+    }
+    if (animation.columns * animation.rows == 1) return;
+    property_row("Picture rate", "Pictures per second");
+    if (number_slider("Picture rate", &animation.pictures_per_s, -60.0, 60.0, "/s", nullptr))
+        target.put(to, "picture rate");
+}
+
 void prop_motion_rows(const PropTarget& target) {
     Editor& editor = target.editor;
     PropMotion motion = prop_motion(editor.document->level(), target.now());
@@ -139,6 +180,7 @@ void chosen_prop_rows(Editor& editor, std::size_t prop) {
                         "Along its own axes; a negative one mirrors it");
         prop_look_rows(target);
         prop_motion_rows(target);
+        prop_animation_rows(target);
         end_property_rows();
     }
     const PropMesh* const mesh = find_prop_mesh(editor.document->level(), target.now().mesh);

@@ -48,6 +48,19 @@ Platform read_platform(const JsonNode& node, std::vector<JsonNode>& parts) {
     return platform;
 }
 
+void read_animation(const JsonNode& node, Animation& animation) {
+    if (!node || !node.object()) return;
+    const double most = fastest_animation;
+    node["clip"].text(animation.clip);
+    node["speed"].number(-most, most, animation.speed);
+    node["phase"].number(-longest, longest, animation.phase_s);
+    node["scroll_u"].number(-most, most, animation.scroll.x());
+    node["scroll_v"].number(-most, most, animation.scroll.y());
+    node["columns"].integer(1, max_pictures_a_side, animation.columns);
+    node["rows"].integer(1, max_pictures_a_side, animation.rows);
+    node["pictures_per_second"].number(-most, most, animation.pictures_per_s);
+}
+
 Prop read_prop(const JsonNode& node) {
     Prop prop;
     if (!node.object()) return prop;
@@ -62,6 +75,7 @@ Prop read_prop(const JsonNode& node) {
                                                       smallest_prop_scale, smallest_prop_scale));
     node["texture"].text(prop.texture);
     node["type"].text(prop.type);
+    read_animation(node["animation"], prop.animation);
     return prop;
 }
 
@@ -114,6 +128,24 @@ Json platform_json(const Platform& platform) {
                         {"phase", json_number(platform.phase_s)}});
 }
 
+// Members that are as usual are left out.
+Json animation_json(const Animation& animation) {
+    const Animation usual;
+    Json json = json_object();
+    const auto add = [&](const char* name, double value, double as_usual) {
+        if (value != as_usual) json_add(json, name, json_number(value));
+    };
+    if (!animation.clip.empty()) json_add(json, "clip", json_string(animation.clip));
+    add("speed", animation.speed, usual.speed);
+    add("phase", animation.phase_s, usual.phase_s);
+    add("scroll_u", animation.scroll.x(), usual.scroll.x());
+    add("scroll_v", animation.scroll.y(), usual.scroll.y());
+    add("columns", animation.columns, usual.columns);
+    add("rows", animation.rows, usual.rows);
+    add("pictures_per_second", animation.pictures_per_s, usual.pictures_per_s);
+    return json;
+}
+
 Json prop_json(const Prop& prop) {
     Json json = json_object({{"name", json_string(prop.name)},
                              {"mesh", json_string(prop.mesh)},
@@ -122,6 +154,7 @@ Json prop_json(const Prop& prop) {
     if (prop.scale != Vec3::Ones()) json_add(json, "scale", vector_json(prop.scale));
     if (!prop.texture.empty()) json_add(json, "texture", json_string(prop.texture));
     if (!prop.type.empty()) json_add(json, "type", json_string(prop.type));
+    if (prop.animation.moves()) json_add(json, "animation", animation_json(prop.animation));
     return json;
 }
 

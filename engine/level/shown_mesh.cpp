@@ -86,4 +86,21 @@ std::vector<Pose> platform_poses(const Level& level, double time_s) {
     return poses;
 }
 
+std::map<std::uint32_t, Pose> prop_poses(const Level& level, std::span<const std::uint32_t> face_platforms,
+                                         std::span<const Pose> platform_poses) {
+    std::map<std::uint32_t, Pose> poses;
+    if (!has_instances(level)) return poses;
+    for (std::uint32_t i = 0; i < level.props.size(); ++i) {
+        const FaceId first = level.placed.first_face[i];
+        if (first == level.placed.first_face[i + 1] || first >= face_platforms.size()) continue;
+        if (face_platforms[first] < platform_poses.size()) poses[i] = platform_poses[face_platforms[first]];
+    }
+    return poses;
+}
+
+bool has_animated_props(const Level& level) {
+    return has_instances(level) && std::any_of(level.props.begin(), level.props.end(),
+                                               [](const Prop& prop) { return prop.animation.moves(); });
+}
+
 }  // namespace slipface

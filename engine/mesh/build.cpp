@@ -216,6 +216,7 @@ MeshPtr make(PolygonSoup soup) {
     mesh->groups = std::move(soup.groups);
     mesh->nodes = std::move(soup.nodes);
     mesh->other_files = std::move(soup.other_files);
+    mesh->rig = std::move(soup.rig);
     set_corners(soup, *mesh);
     cut_faces(*mesh);
     for (const Vec3f& position : mesh->positions)

@@ -8,7 +8,7 @@
 namespace slipface {
 namespace {
 
-constexpr std::size_t own_readers = 2;  // the first formats; assimp reads the others
+constexpr std::size_t own_readers = 4;  // the first formats; assimp reads the others
 constexpr std::array<MeshFormat, 13> formats{{
     {"obj", "Wavefront OBJ"},
     {"bsp", "Quake 3 map"},

@@ -16,6 +16,7 @@
 #include "slipface/base/text.h"
 #include "slipface/mesh/build.h"
 #include "slipface/mesh/formats.h"
+#include "slipface/mesh/rig.h"
 #include "warning_list.h"
 
 namespace slipface {
@@ -68,6 +69,7 @@ ImportSummary transform(ImportedSoup& imported, const ImportTransform& how) {
         const Eigen::Matrix4d back = turn.inverse();
         for (MeshNode& node : imported.soup.nodes)
             node.world = (turn * node.world.cast<double>() * back).cast<float>();
+        if (imported.soup.rig) imported.soup.rig->level_from_file.leftCols<3>() = upright * scale;
     }
     const Eigen::Matrix3d rotation = upright.cast<double>();
     const Eigen::Matrix3d turned = rotation * upright_rotation(frame.up).cast<double>().transpose();

@@ -36,7 +36,7 @@ struct ShownMesh {
     MeshPtr mesh;
     std::filesystem::path folder, texture;
     std::unique_ptr<LevelRenderer> renderer;
-    std::vector<Placement> at;
+    std::vector<PosedMesh> at;
 };
 
 }  // namespace
@@ -96,27 +96,31 @@ void GlGraphics::draw_level(const Level& level, double time_s) {
     if (!impl_->in_frame) return;
     ShownLevel& shown = impl_->find(level);
     shown.wanted = true;
+    shown.renderer->animate_props(time_s);
     if (shown.parts.empty() || shown.placed_s == time_s) return;
-    shown.renderer->move_faces(shown.parts, platform_poses(level, time_s));
+    const std::vector<Pose> poses = platform_poses(level, time_s);
+    shown.renderer->move_faces(shown.parts, poses);
+    shown.renderer->move_props(prop_poses(level, shown.parts, poses));
     shown.placed_s = time_s;
 }
 
 void GlGraphics::draw_mesh(const MeshPtr& mesh, const Placement& at, const std::filesystem::path& folder,
-                           const std::filesystem::path& texture) {
+                           const MeshLook& look) {
     if (!impl_->in_frame || !mesh) return;
+    const std::filesystem::path& texture = look.texture;
     auto known = std::find_if(impl_->meshes.begin(), impl_->meshes.end(), [&](const ShownMesh& shown) {
         return shown.mesh == mesh && shown.texture == texture && shown.folder == folder;
     });
     if (known == impl_->meshes.end()) {
         ShownMesh shown{mesh, folder, texture, std::make_unique<LevelRenderer>(impl_->gl), {}};
         Warnings found = texture.empty()
-                             ? shown.renderer->set_mesh(mesh, folder)
-                             : shown.renderer->set_mesh(with_texture(*mesh, texture.filename().string()),
-                                                        texture.parent_path());
+                             ? shown.renderer->set_instances(mesh, folder)
+                             : shown.renderer->set_instances(with_texture(*mesh, texture.filename().string()),
+                                                             texture.parent_path());
         std::move(found.begin(), found.end(), std::back_inserter(impl_->warnings));
         known = impl_->meshes.insert(impl_->meshes.end(), std::move(shown));
     }
-    known->at.push_back(at);
+    known->at.push_back({at, look.pose != nullptr ? *look.pose : RigPose(), look.uv});
 }
 
 void GlGraphics::draw_ellipsoid(const Vec3& centre, const Vec3& radii) {
@@ -144,8 +148,10 @@ Status GlGraphics::end_frame() {
     for (const ShownLevel& shown : impl.levels)
         if (shown.mesh) extent = std::max(extent, shown.mesh->bounds.size().norm());
     for (ShownMesh& shown : impl.meshes)
-        for (const Placement& at : shown.at)
-            shown.renderer->draw_placed(impl.camera, impl.width, impl.height, style, at, extent);
+        for (const PosedMesh& placed : shown.at)
+            shown.renderer->draw_placed(impl.camera, impl.width, impl.height, style, placed, extent);
+    for (const ShownMesh& shown : impl.meshes)
+        if (Status status = shown.renderer->status(); !status) return status;
     if (Status status = impl.overlay_renderer.status(); !status) return status;
     impl.overlay_renderer.draw(impl.overlay, impl.camera, impl.width, impl.height);
     return {};

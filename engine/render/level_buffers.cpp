@@ -63,8 +63,8 @@ void LevelRenderer::Impl::build_objects() {
 }
 
 // Vertices are made and uploaded in pieces, so that a large level is not in memory twice.
-bool LevelRenderer::Impl::upload_geometry(Warnings& warnings) {
-    const DrawOrder order = draw_order(*mesh, textures.material_texture(), textures.count());
+bool LevelRenderer::Impl::upload_geometry(const Mesh& from, Warnings& warnings) {
+    const DrawOrder order = draw_order(from, textures.material_texture(), textures.count());
     while (gl->GetError() != GL_NO_ERROR) {
     }
     const std::size_t bytes = 3 * order.triangles.size() * sizeof(LevelVertex);
@@ -81,11 +81,12 @@ bool LevelRenderer::Impl::upload_geometry(Warnings& warnings) {
     for (std::size_t first = 0; first < order.triangles.size(); first += triangles_per_upload) {
         const std::size_t count = std::min(triangles_per_upload, order.triangles.size() - first);
         vertices.clear();
-        append_vertices(*mesh, std::span(order.triangles).subspan(first, count), origin, vertices);
+        append_vertices(from, std::span(order.triangles).subspan(first, count), origin, vertices);
         gl->BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(3 * first * sizeof(LevelVertex)),
                           static_cast<GLsizeiptr>(vertices.size() * sizeof(LevelVertex)), vertices.data());
     }
     batches = order.batches;
+    if (&from != mesh.get()) rig = std::make_unique<RigBuffers>(gl, level_array, *mesh, order);
     return true;
 }
 

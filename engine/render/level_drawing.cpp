@@ -96,6 +96,7 @@ void LevelRenderer::Impl::set_place(unsigned program, const Place& place) {
                 Eigen::Matrix3f(linear.inverse().transpose().cast<float>()));
     set_uniform(*gl, program, "mesh_offset", Vec3f(offset.cast<float>()));
     set_uniform(*gl, program, "first_state", place.first_state);
+    set_uniform(*gl, program, "uv_change", place.uv);
     gl->FrontFace(place.at.mirrors() ? GL_CW : GL_CCW);
 }
 
@@ -117,6 +118,12 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
         gl->Enable(GL_CULL_FACE);
         gl->CullFace(GL_BACK);
     }
+    if (rig) {
+        std::vector<const RigPose*> poses;
+        for (const Place& place : places)
+            poses.push_back(place.pose);
+        rig->send(poses);
+    }
     gl->BindVertexArray(level_array);
     const bool painted =
         highlights_shown || style.colors != FaceColors::types || (surfaces_shown && style.overlay > 0.0f);
@@ -125,6 +132,7 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
         const bool textured = style.textured && batch.texture != LevelTextures::none;
         unsigned variant = painted ? LevelPrograms::painted : 0;
         if (!places.empty()) variant |= LevelPrograms::placed;
+        if (rig) variant |= LevelPrograms::posed;
         if (lit(style)) variant |= LevelPrograms::lit;
         if (textured) variant |= LevelPrograms::textured;
         if (textured && !textures.opaque(batch.texture)) variant |= LevelPrograms::cutout;
@@ -137,8 +145,9 @@ void LevelRenderer::Impl::draw_faces(const Camera& camera, int height, const Mat
         program = *wanted;
         gl->BindTexture(GL_TEXTURE_2D, textured ? textures.name(batch.texture) : white_texture);
         if (places.empty()) draw_in_pieces(batch);
-        for (const Place& place : places) {
-            set_place(program, place);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            set_place(program, places[i]);
+            if (rig) rig->bind(program, i);
             draw_in_pieces(batch);
         }
     }

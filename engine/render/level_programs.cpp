@@ -15,8 +15,8 @@ Result<unsigned> LevelPrograms::get(unsigned variant) {
     unsigned& program = programs_[variant];
     if (program != 0) return program;
     std::string head = "#version 330 core\n";
-    constexpr const char* names[] = {"PAINTED", "LIT", "TEXTURED", "CUTOUT", "PLACED"};
-    for (unsigned bit = 0; bit < 5; ++bit)
+    constexpr const char* names[] = {"PAINTED", "LIT", "TEXTURED", "CUTOUT", "PLACED", "POSED"};
+    for (unsigned bit = 0; bit < 6; ++bit)
         if ((variant >> bit & 1U) != 0) head.append("#define ").append(names[bit]).append("\n");
     const Result<unsigned> linked =
         link_program(*gl_, "level", head + level_vertex_shader,

@@ -11,7 +11,7 @@ namespace slipface {
 class LevelPrograms {
   public:
     // Bits of a variant.
-    static constexpr unsigned painted = 1, lit = 2, textured = 4, cutout = 8, placed = 16;
+    static constexpr unsigned painted = 1, lit = 2, textured = 4, cutout = 8, placed = 16, posed = 32;
 
     explicit LevelPrograms(GlTable gl) : gl_(std::move(gl)) {}
     ~LevelPrograms();
@@ -23,7 +23,7 @@ class LevelPrograms {
 
   private:
     GlTable gl_;
-    std::array<unsigned, 32> programs_{};
+    std::array<unsigned, 64> programs_{};
 };
 
 }  // namespace slipface

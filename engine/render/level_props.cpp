@@ -50,6 +50,7 @@ struct LevelProps::Placed {
     Vec3 centre = Vec3::Zero();  // of a sphere around it, at rest
     double radius = 0.0;
     int first_state = 0;
+    Animation animation;
 
     bool stands(const Prop& prop) const {
         return shown != nullptr && shown->current && position == prop.position && rotation == prop.rotation &&
@@ -71,9 +72,9 @@ LevelProps::Shown* LevelProps::upload(const Level& level, const Prop& prop, Warn
     shown.renderer.reset(new LevelRenderer(std::make_unique<LevelRenderer::Impl>(gl_, programs_)));
     const Warnings found =
         prop.texture.empty()
-            ? shown.renderer->set_mesh(shown.mesh, (folder / prop.mesh).parent_path())
-            : shown.renderer->set_mesh(with_texture(*shown.mesh, texture.filename().string()),
-                                       texture.parent_path());
+            ? shown.renderer->set_instances(shown.mesh, (folder / prop.mesh).parent_path())
+            : shown.renderer->set_instances(with_texture(*shown.mesh, texture.filename().string()),
+                                            texture.parent_path());
     warnings.insert(warnings.end(), found.begin(), found.end());
     return &shown;
 }
@@ -109,9 +110,10 @@ void LevelProps::set(const Level& level, const PropSurfaces& types, Warnings& wa
             const Vec3 centre = at.columns[0] * box.centre().x() + at.columns[1] * box.centre().y() +
                                 at.columns[2] * box.centre().z() + at.offset;
             const double radius = 0.5 * box.size().norm() * prop.scale.cwiseAbs().maxCoeff();
-            placed = {shown, prop.position, prop.rotation, prop.scale, at, at, centre, radius, 0};
+            placed = {shown, prop.position, prop.rotation, prop.scale, at, at, centre, radius, 0, {}};
         }
         ++next;
+        placed.animation = prop.animation;
         placed.shown->props.push_back(static_cast<std::uint32_t>(i));
     }
     std::erase_if(shown_, [](const std::unique_ptr<Shown>& shown) { return shown->props.empty(); });
@@ -172,15 +174,20 @@ void LevelProps::draw_faces(const Camera& camera, int width, int height, const M
                             unsigned surface_table) {
     const Frustum frustum(camera, width, height);
     std::vector<LevelRenderer::Impl::Place> places;
+    std::vector<RigPose> poses;
     for (const auto& shown : shown_) {
         LevelRenderer::Impl& impl = *shown->renderer->impl_;
         places.clear();
+        poses.resize(std::max(poses.size(), impl.rig ? shown->props.size() : 0));
         for (const std::uint32_t prop : shown->props) {
             const Placed& placed = props_[prop];
             const Vec3 centre = placed.centre + placed.at.offset - placed.rest.offset;
             // A prop that turns elsewhere is not looked at more closely.
-            if (placed.at.columns == placed.rest.columns && !frustum.sees(centre, placed.radius)) continue;
-            places.push_back({placed.at, placed.first_state});
+            const double reach = impl.rig ? 2.0 * placed.radius : placed.radius;
+            if (placed.at.columns == placed.rest.columns && !frustum.sees(centre, reach)) continue;
+            RigPose* const pose = impl.rig ? &poses[places.size()] : nullptr;
+            if (pose != nullptr) pose_at(*shown->mesh, placed.animation, time_s_, *pose);
+            places.push_back({placed.at, placed.first_state, pose, uv_at(placed.animation, time_s_)});
         }
         if (places.empty()) continue;
         impl.places = places;

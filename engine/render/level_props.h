@@ -22,6 +22,7 @@ class LevelProps {
     void set(const Level& level, const PropSurfaces& types, Warnings& warnings);
     void highlight(const std::map<std::uint32_t, std::vector<std::uint8_t>>& highlights);
     void move(const std::map<std::uint32_t, Pose>& poses);
+    void animate(double time_s) { time_s_ = time_s; }
 
     // Relative to `origin`, with depth test. Props outside the picture are left out. `surface_table`: the
     // texture of the types.
@@ -46,6 +47,7 @@ class LevelProps {
     std::vector<std::unique_ptr<Shown>> shown_;
     std::vector<Placed> props_;  // [prop]
     PropSurfaces types_;         // [prop]
+    double time_s_ = 0.0;
     std::map<std::uint32_t, std::vector<std::uint8_t>> highlights_;
 };
 

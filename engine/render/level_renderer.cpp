@@ -79,6 +79,15 @@ std::size_t LevelRenderer::face_state_bytes_uploaded() const {
 }
 
 Warnings LevelRenderer::set_mesh(MeshPtr mesh, const std::filesystem::path& folder, TextureAccess textures) {
+    return set(std::move(mesh), folder, textures, false);
+}
+
+Warnings LevelRenderer::set_instances(MeshPtr mesh, const std::filesystem::path& folder) {
+    return set(std::move(mesh), folder, TextureAccess::folder, true);
+}
+
+Warnings LevelRenderer::set(MeshPtr mesh, const std::filesystem::path& folder, TextureAccess textures,
+                            bool instances) {
     Warnings warnings;
     impl_->mesh = std::move(mesh);
     impl_->batches.clear();
@@ -89,11 +98,17 @@ Warnings LevelRenderer::set_mesh(MeshPtr mesh, const std::filesystem::path& fold
     impl_->light_map.clear();
     impl_->outlines.reset();
     impl_->props.reset();
+    impl_->rig.reset();
+    impl_->drawn_apart.clear();
     impl_->extent_around = 0.0;
     if (impl_->mesh) {
-        impl_->origin = drawing_origin(*impl_->mesh);
+        const bool moves = instances && impl_->mesh->rig;
+        impl_->origin = moves ? Vec3(Vec3::Zero()) : drawing_origin(*impl_->mesh);
         warnings = impl_->textures.load(*impl_->mesh, folder, textures);
-        impl_->upload_geometry(warnings);
+        if (moves)
+            impl_->upload_geometry(before_bones(*impl_->mesh), warnings);
+        else
+            impl_->upload_geometry(*impl_->mesh, warnings);
     }
     impl_->reset_faces();
     assert_no_gl_error(*impl_->gl, "LevelRenderer::set_mesh");
@@ -139,7 +154,11 @@ void LevelRenderer::set_face_surfaces(std::span<const SurfaceId> surfaces) {
     assert_no_gl_error(*impl_->gl, "LevelRenderer::set_face_surfaces");
 }
 
-void LevelRenderer::set_face_highlights(std::span<const std::uint8_t> highlights) {
+void LevelRenderer::set_face_highlights(std::span<const std::uint8_t> given) {
+    std::vector<std::uint8_t> highlights(given.begin(), given.end());
+    for (const auto& [begin, end] : impl_->drawn_apart)
+        for (FaceId face = begin; face < std::min<std::size_t>(end, highlights.size()); ++face)
+            highlights[face] = 4;
     std::uint8_t changed = 0;
     const std::size_t faces = std::min(highlights.size(), impl_->highlights.size());
     constexpr std::size_t block = 4096;
@@ -170,6 +189,20 @@ Warnings LevelRenderer::set_props(const Level& level, const PropSurfaces& types)
     return warnings;
 }
 
+Warnings LevelRenderer::set_animated_props(const Level& level, PropSurfaces types) {
+    impl_->drawn_apart.clear();
+    types.resize(level.props.size());
+    for (std::size_t i = 0; i < types.size(); ++i) {
+        if (!level.props[i].animation.moves())
+            types[i] = nullptr;
+        else if (types[i] != nullptr)
+            impl_->drawn_apart.emplace_back(level.placed.first_face[i], level.placed.first_face[i + 1]);
+    }
+    Warnings warnings = set_props(level, types);
+    set_face_highlights(std::vector<std::uint8_t>(impl_->highlights.size(), 0));
+    return warnings;
+}
+
 void LevelRenderer::set_prop_highlights(
     const std::map<std::uint32_t, std::vector<std::uint8_t>>& highlights) {
     if (!impl_->props) return;
@@ -177,6 +210,10 @@ void LevelRenderer::set_prop_highlights(
     impl_->borders_built = false;
     upload_outlines(*this, *impl_, 3);
     assert_no_gl_error(*impl_->gl, "LevelRenderer::set_prop_highlights");
+}
+
+void LevelRenderer::animate_props(double time_s) {
+    if (impl_->props) impl_->props->animate(time_s);
 }
 
 void LevelRenderer::move_props(const std::map<std::uint32_t, Pose>& poses) {
@@ -237,11 +274,12 @@ void LevelRenderer::draw_over(const Camera& camera, int width, int height, const
 }
 
 void LevelRenderer::draw_placed(const Camera& camera, int width, int height, const LevelStyle& style,
-                                const Placement& at, double extent_around) {
+                                const PosedMesh& placed, double extent_around) {
     if (width <= 0 || height <= 0 || !impl_->status || !impl_->mesh) return;
     const Vec3 own_origin = impl_->origin;
+    const Placement& at = placed.at;
     // The vertices are relative to the mesh's drawing origin.
-    const Impl::Place place{at, 0};
+    const Impl::Place place{at, 0, &placed.pose, placed.uv};
     impl_->places = {&place, 1};
     impl_->mesh_origin = own_origin;
     impl_->extent_around = extent_around;

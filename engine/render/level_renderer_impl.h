@@ -9,6 +9,8 @@
 #include "level_props.h"
 #include "level_textures.h"
 #include "light_map.h"
+#include "rig_buffers.h"
+#include "slipface/mesh/animation.h"
 #include "slipface/render/level_renderer.h"
 
 namespace slipface {
@@ -52,12 +54,16 @@ struct LevelRenderer::Impl {
     struct Place {
         Placement at;
         int first_state = 0;  // face 0 in face_state
+        const RigPose* pose = nullptr;
+        UvChange uv{1, 1, 0, 0};
     };
     // While instances are drawn: where, and the origin of the vertices.
     std::span<const Place> places;
     Vec3 mesh_origin = Vec3::Zero();
     double extent_around = 0.0;  // of the level around, metres
     std::unique_ptr<LevelProps> props;
+
+    std::vector<std::pair<FaceId, FaceId>> drawn_apart;  // faces that props draw instead
 
     bool surfaces_shown = false;  // some face has a type other than `default`
     bool highlights_shown = false;
@@ -67,12 +73,13 @@ struct LevelRenderer::Impl {
     unsigned table_texture = 0, white_texture = 0;
     LineBuffer borders, selected_outline, hovered_outline;
     bool borders_built = false;
+    std::unique_ptr<RigBuffers> rig;  // of a mesh that is drawn as instances and has clips
     std::optional<OutlineFinder> outlines;
 
     // level_buffers.cpp
     void build_programs();
     void build_objects();
-    bool upload_geometry(Warnings& warnings);
+    bool upload_geometry(const Mesh& from, Warnings& warnings);
     void find_moving(std::span<const std::uint32_t> face_parts);
     void reset_faces();
     void upload_lines(LineBuffer& lines, const std::vector<LineInstance>& instances);

@@ -6,6 +6,7 @@
 //   TEXTURED  with the material's texture
 //   CUTOUT    which may be transparent
 //   PLACED    an instance of a mesh
+//   POSED     which follows bones
 #pragma once
 
 namespace slipface {
@@ -64,6 +65,20 @@ uniform mat3 world_from_mesh;     // of an instance
 uniform mat3 normal_from_mesh;
 uniform vec3 mesh_offset;
 uniform int first_state;          // of the instance, in face_state
+uniform vec4 uv_change;           // factors, then offsets
+#endif
+#ifdef POSED
+layout(location = 5) in uvec4 bones;
+layout(location = 6) in vec4 bone_weights;
+layout(location = 7) in uvec2 deltas;  // of morph targets: the first, and how many
+uniform sampler2D poses;               // three texels for each bone, then one for each weight
+uniform int first_pose;
+uniform int first_weight;
+uniform sampler2D morph_deltas;        // what is added, and by which weight
+vec4 texel_of(sampler2D list, int i) {
+    int row = textureSize(list, 0).x;
+    return texelFetch(list, ivec2(i % row, i / row), 0);
+}
 #endif
 uniform usampler2D face_state;
 uniform sampler2D light_charts;
@@ -90,14 +105,36 @@ void main() {
     light_chart = texelFetch(light_charts, at + ivec2(2, 0), 0);
     light_texel = vec2(dot(u.xyz, position) + u.w, dot(v.xyz, position) + v.w);
 #endif
+    vec3 in_mesh = position;
+    vec3 mesh_normal = normal.xyz;
+#ifdef POSED
+    for (int i = 0; i < int(deltas.y); ++i) {
+        vec4 delta = texel_of(morph_deltas, int(deltas.x) + i);
+        in_mesh += delta.xyz * texel_of(poses, first_weight + int(delta.w)).x;
+    }
+    mat3x4 rows = mat3x4(0.0);
+    for (int i = 0; i < 4; ++i)
+        if (bone_weights[i] > 0.0)
+            for (int row = 0; row < 3; ++row)
+                rows[row] += bone_weights[i] * texel_of(poses, first_pose + 3 * int(bones[i]) + row);
+    in_mesh = vec4(in_mesh, 1.0) * rows;
+    // The cofactors turn normals, whatever the scale.
+    mat3 m = transpose(mat3(rows[0].xyz, rows[1].xyz, rows[2].xyz));
+    mat3 cofactors = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
+    mesh_normal = cofactors * mesh_normal * sign(dot(m[0], cofactors[0]));
+#endif
 #ifdef PLACED
-    world_position = world_from_mesh * position + mesh_offset;
-    face_normal = normalize(normal_from_mesh * normal.xyz);
+    world_position = world_from_mesh * in_mesh + mesh_offset;
+    face_normal = normalize(normal_from_mesh * mesh_normal);
 #else
     world_position = position;
     face_normal = normal.xyz;
 #endif
+#ifdef PLACED
+    texture_position = uv * uv_change.xy + uv_change.zw;
+#else
     texture_position = uv;
+#endif
     face_color = color.rgb;
     gl_Position = clip_from_local * vec4(world_position, 1.0);
     // Where two faces lie back to back at one position, the front is shown.

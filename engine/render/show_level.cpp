@@ -9,6 +9,9 @@ Warnings show_level(LevelRenderer& renderer, const Level& level) {
     for (Diagnostic& warning : renderer.set_light(level.light, level.mesh, level.file_path.parent_path()))
         warnings.push_back(std::move(warning));
     show_surfaces(renderer, level);
+    if (has_animated_props(level))
+        for (Diagnostic& warning : renderer.set_animated_props(level, resolve_parts(level).props))
+            warnings.push_back(std::move(warning));
     return warnings;
 }
 

@@ -116,7 +116,9 @@ bool read_line(ProbeTest& test, const std::vector<std::string_view>& words, std:
             test.level_fingerprint = hash;
             --last;
         }
-        test.level_name = from_one_line({words[1].data(), words[last - 1].data() + words[last - 1].size()});
+        const char* const begin = words[1].data();
+        const char* const behind = words[last - 1].data() + words[last - 1].size();
+        test.level_name = from_one_line({begin, static_cast<std::size_t>(behind - begin)});
         return true;
     }
     if (words[0] == "sweep") {

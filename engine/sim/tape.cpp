@@ -137,8 +137,9 @@ class TapeParser {
             if (tape_.level_fingerprint) --last;
         }
         if (last < 2) return fail("\"level\" alone", "a name, and 16 hexadecimal digits if wanted");
-        const char* begin = words[1].data();
-        tape_.level_name = from_one_line({begin, words[last - 1].data() + words[last - 1].size()});
+        const char* const begin = words[1].data();
+        const char* const end = words[last - 1].data() + words[last - 1].size();
+        tape_.level_name = from_one_line({begin, static_cast<std::size_t>(end - begin)});
     }
 
     void read_dt(const std::vector<std::string_view>& words) {

@@ -49,8 +49,12 @@ void GeometricManager::on_draw(Graphics& graphics) {
         const auto platform = std::ranges::find(level_.platforms, prop.name, &Platform::group);
         Placement at = prop.placement();
         if (platform != level_.platforms.end()) at = moved(at, platform_pose(*platform, time_s_));
-        graphics.draw_mesh(mesh->mesh, at, (folder / prop.mesh).parent_path(),
-                           prop.texture.empty() ? std::filesystem::path() : folder / prop.texture);
+        MeshLook look;
+        if (!prop.texture.empty()) look.texture = folder / prop.texture;
+        pose_at(*mesh->mesh, prop.animation, time_s_, pose_);
+        look.pose = &pose_;
+        look.uv = uv_at(prop.animation, time_s_);
+        graphics.draw_mesh(mesh->mesh, at, (folder / prop.mesh).parent_path(), look);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <slipface/level/find_start.h>
 #include <slipface/level/level_file.h>
+#include <slipface/mesh/import.h>
 #include <slipface/movement/first_contact.h>
 
 #include <algorithm>
@@ -15,8 +16,33 @@ void Coin::on_draw(Graphics& graphics) const {
     graphics.draw_ellipsoid(position, {0.05 + 0.25 * turn, 0.3, 0.05 + 0.25 * (1.0 - turn)});
 }
 
+// The clip follows from what is asked for, which is what a player sees first.
+void Figure::on_tick(double seconds) {
+    age_s_ += seconds;
+    const Vec2 wish = input.wish;
+    const char* const clip = wish.norm() < 0.1 ? "idle" : "walk";
+    if (motion_.clip != clip) {
+        motion_.clip = clip;
+        motion_.phase_s = -age_s_;  // from its begin
+    }
+    if (wish.norm() < 0.1) return;
+    // It turns to where it walks, not at once.
+    const double turn = std::remainder(std::atan2(-wish.x(), -wish.y()) - yaw_, 6.283185307179586);
+    yaw_ += std::clamp(turn, -9.0 * seconds, 9.0 * seconds);
+}
+
+void Figure::on_draw(Graphics& graphics) const {
+    if (!mesh_) return Character::on_draw(graphics);
+    RigPose pose;
+    pose_at(*mesh_, motion_, age_s_, pose);
+    const double size = settings.radii.y() / 0.9;  // it is 1.8 m tall
+    const Vec3 feet = position() - Vec3(0.0, settings.radii.y(), 0.0);
+    graphics.draw_mesh(mesh_, placement(feet, {0.0, yaw_, 0.0}, Vec3::Constant(size)), {},
+                       {.texture = {}, .pose = &pose});
+}
+
 // Half the walking speed, in the direction in which there is floor a metre ahead.
-void Islander::on_tick(double) {
+void Islander::on_tick(double seconds) {
     const MovementScene scene = level_.scene();
     const Vec3 ahead(std::cos(heading_), 0.0, std::sin(heading_));
     const Vec3 from = position_in_scene(scene, state) + ahead;
@@ -24,6 +50,7 @@ void Islander::on_tick(double) {
     const bool free = floor && floor->t > 0.0 && floor->normal.y() > 0.8;
     if (!free) heading_ += 0.7;
     input.wish = free ? Vec2(0.5 * ahead.x(), 0.5 * ahead.z()) : Vec2::Zero();
+    Figure::on_tick(seconds);
 }
 
 Result<std::unique_ptr<Game>> Game::open(const std::filesystem::path& path) {
@@ -35,7 +62,9 @@ Result<std::unique_ptr<Game>> Game::open(const std::filesystem::path& path) {
     if (!geometry) return geometry.error();
     std::unique_ptr<Game> game(new Game);
     game->level_ = static_cast<GeometricManager*>(&game->world_.add_manager(std::move(*geometry)));
-    game->player_ = &game->world_.make_entity<Character>();
+    if (auto figure = import_mesh(path.parent_path() / "../props/islander.gltf"))
+        game->figure_ = figure->mesh;
+    game->player_ = &game->world_.make_entity<Figure>(game->figure_);
     game->player_->settings = game->level_->level().movement;
     game->player_->state = game->level_->player_at(start->position);
     game->start_ = start->position;
@@ -60,7 +89,7 @@ void Game::lay_coins_and_islanders() {
             if (!floor || floor->normal.y() < 0.8 || scene.surfaces[floor->surface].hazardous) continue;
             const Vec3 centre = above + Vec3(0.0, -8.0 * floor->t, 0.0);
             if (i == ring) {
-                auto& islander = world_.make_entity<Islander>(*level_);
+                auto& islander = world_.make_entity<Islander>(*level_, figure_);
                 islander.settings = level_->level().movement;
                 islander.state = level_->player_at(centre + Vec3(0.0, 0.1, 0.0));
             } else {

@@ -17,10 +17,25 @@ class Coin : public slipface::Entity {
     void on_draw(slipface::Graphics& graphics) const override;
 };
 
-// An islander walks about, and turns where there is no floor ahead. The player can push it and stand on it.
-class Islander : public slipface::Character {
+// A character with a figure that walks where it goes. All share one mesh; which clip it plays, and how far it
+// is in it, is each one's own.
+class Figure : public slipface::Character {
   public:
-    explicit Islander(slipface::GeometricManager& level) : level_(level) {}
+    explicit Figure(slipface::MeshPtr mesh) : mesh_(std::move(mesh)) {}  // null: an ellipsoid
+    void on_tick(double seconds) override;
+    void on_draw(slipface::Graphics& graphics) const override;
+
+  private:
+    slipface::MeshPtr mesh_;
+    slipface::Animation motion_;
+    double yaw_ = 0.0, age_s_ = 0.0;
+};
+
+// An islander walks about, and turns where there is no floor ahead. The player can push it and stand on it.
+class Islander : public Figure {
+  public:
+    Islander(slipface::GeometricManager& level, slipface::MeshPtr mesh)
+        : Figure(std::move(mesh)), level_(level) {}
     void on_tick(double seconds) override;
 
   private:
@@ -60,6 +75,7 @@ class Game {
     void respawn();
 
     slipface::World world_;
+    slipface::MeshPtr figure_;  // of all
     slipface::GeometricManager* level_ = nullptr;
     slipface::Character* player_ = nullptr;
     std::vector<Coin*> coins_;

@@ -1,6 +1,6 @@
-// game [LEVEL]: W A S D or the arrows walk, space jumps, the mouse turns the camera, Escape ends.
-// game LEVEL --seconds S [--image FILE]: without a window; somebody walks from coin to coin. Prints the
-// score.
+// game [LEVEL]: W A S D or the arrows walk, space jumps, the mouse turns the camera, Escape pauses and ends.
+// game LEVEL --seconds S [--image FILE]: without a window; somebody starts the game and walks from coin to
+// coin. Prints the score. With 0 seconds the picture is that of the title.
 #include <slipface/render/gl_graphics.h>
 
 #define GLFW_INCLUDE_NONE
@@ -13,7 +13,7 @@
 #include <cstring>
 #include <string>
 
-#include "game.h"
+#include "game_screens.h"
 
 using namespace slipface;
 
@@ -21,11 +21,15 @@ static int complain(const std::string& text) {
     return std::fprintf(stderr, "game: %s\n", text.c_str()), 2;
 }
 
-static void draw(Game& game, GlGraphics& graphics, int width, int height) {
+static GameScreen& top(const Screens& screens) {
+    return static_cast<GameScreen&>(*screens.top());
+}
+
+static void draw(Screens& screens, GlGraphics& graphics, int width, int height) {
     graphics.style.overlay = 0.0F;  // textures without the colours of the surface types
     graphics.ellipsoid_fill = {0.95F, 0.70F, 0.20F, 0.95F};
-    graphics.begin_frame(game.camera(), width, height);
-    game.draw(graphics);
+    graphics.begin_frame(top(screens).camera(), width, height);
+    screens.draw(graphics);
     if (const Status drawn = graphics.end_frame(); !drawn) complain(drawn.error().text());
 }
 
@@ -49,20 +53,30 @@ static Buttons walker(const Game& game, Vec3& before) {
     return buttons;
 }
 
-static int without_window(Game& game, double seconds, const char* image) {
-    Vec3 before = game.player().position();
-    const std::size_t all = game.coins().size();
-    while (game.time_s() < seconds)
-        game.tick(walker(game, before));
-    std::printf("%d of %zu coins, %d deaths in %.0f s\n", game.collected(), all, game.deaths(),
-                game.time_s());
+static int without_window(Screens& screens, double seconds, const char* image) {
+    if (seconds > 0.0) screens.input({.key = go_on});
+    if (auto* const play = dynamic_cast<Play*>(screens.top())) {
+        const Game& game = play->game();
+        Vec3 before = game.player().position();
+        const std::size_t all = game.coins().size();
+        int ticks = 0;
+        for (; ticks < seconds / Game::dt && screens.top() == play; ++ticks) {
+            play->buttons = walker(game, before);
+            screens.tick(Game::dt);
+        }
+        if (screens.top() == play)
+            std::printf("%d of %zu coins, %d deaths in %.0f s\n", game.collected(), all, game.deaths(),
+                        ticks * Game::dt);
+        else
+            std::printf("%zu of %zu coins in %.0f s\n", all, all, ticks * Game::dt);
+    }
     if (image == nullptr) return 0;
     auto context = make_offscreen_context();
     if (!context) return complain(context.error().text());
     Framebuffer target((*context)->gl(), 1280, 720);
     GlGraphics graphics((*context)->gl());
     target.bind();
-    draw(game, graphics, target.width(), target.height());
+    draw(screens, graphics, target.width(), target.height());
     const Status saved = save_png(image, target.read());
     return saved ? 0 : complain(saved.error().text());
 }
@@ -84,7 +98,14 @@ static Buttons pressed(GLFWwindow* window, double& mouse_x, double& mouse_y) {
     return buttons;
 }
 
-static int in_window(Game& game) {
+static void on_key(GLFWwindow* window, int key, int, int action, int) {
+    auto& screens = *static_cast<Screens*>(glfwGetWindowUserPointer(window));
+    if (action == GLFW_REPEAT) return;
+    if (key == GLFW_KEY_ESCAPE) screens.input({pause_or_back, action == GLFW_PRESS});
+    if (key == GLFW_KEY_SPACE || key == GLFW_KEY_ENTER) screens.input({go_on, action == GLFW_PRESS});
+}
+
+static int in_window(Screens& screens) {
     if (glfwInit() == GLFW_FALSE) return complain("no display; try --seconds 20 --image game.png");
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -96,29 +117,29 @@ static int in_window(Game& game) {
     glfwSetInputMode(window, GLFW_CURSOR, GLFW_CURSOR_DISABLED);
     glfwSetInputMode(window, GLFW_STICKY_KEYS,
                      GLFW_TRUE);  // a key that is pressed and released within a frame
+    glfwSetWindowUserPointer(window, &screens);
+    glfwSetKeyCallback(window, on_key);
     const Result<GlTable> gl = load_gl_table(glfwGetProcAddress);
     if (gl) {
         GlGraphics graphics(*gl);
         double mouse_x = 0.0, mouse_y = 0.0, begun = glfwGetTime();
         glfwGetCursorPos(window, &mouse_x, &mouse_y);
-        while (glfwWindowShouldClose(window) == GLFW_FALSE &&
-               glfwGetKey(window, GLFW_KEY_ESCAPE) != GLFW_PRESS) {
+        while (glfwWindowShouldClose(window) == GLFW_FALSE && !screens.empty()) {
             glfwPollEvents();
+            if (screens.empty()) break;
             Buttons buttons = pressed(window, mouse_x, mouse_y);
             // As many ticks as time went by, but no more than a quarter of a second's.
             begun = std::max(begun, glfwGetTime() - 0.25);
             for (; begun + Game::dt <= glfwGetTime(); begun += Game::dt) {
-                game.tick(buttons);
+                if (auto* const play = dynamic_cast<Play*>(screens.top())) play->buttons = buttons;
+                screens.tick(Game::dt);
                 buttons.turn = buttons.tilt = 0.0;
             }
             int width = 0, height = 0;
             glfwGetFramebufferSize(window, &width, &height);
-            draw(game, graphics, width, height);
+            draw(screens, graphics, width, height);
             glfwSwapBuffers(window);
-            glfwSetWindowTitle(window, ("Coins: " + std::to_string(game.collected()) + " collected, " +
-                                        std::to_string(game.coins().size()) + " left, " +
-                                        std::to_string(game.deaths()) + " deaths")
-                                           .c_str());
+            glfwSetWindowTitle(window, ("Coins: " + top(screens).status()).c_str());
         }
     }
     glfwDestroyWindow(window);
@@ -128,7 +149,7 @@ static int in_window(Game& game) {
 
 int main(int count, char** words) {
     const char *level = "assets/levels/island.obj", *image = nullptr;
-    double seconds = 0.0;
+    double seconds = -1.0;
     for (int i = 1; i < count; ++i) {
         if (std::strcmp(words[i], "--seconds") == 0 && i + 1 < count)
             seconds = std::atof(words[++i]);
@@ -139,5 +160,7 @@ int main(int count, char** words) {
     }
     Result<std::unique_ptr<Game>> game = Game::open(level);
     if (!game) return complain(game.error().text());
-    return seconds > 0.0 ? without_window(**game, seconds, image) : in_window(**game);
+    Screens screens;
+    screens.push(std::make_unique<Title>(std::move(*game)));
+    return seconds >= 0.0 ? without_window(screens, seconds, image) : in_window(screens);
 }

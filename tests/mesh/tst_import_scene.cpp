@@ -77,16 +77,15 @@ TEST_F(ImportScene, GltfMaterialExtrasBecomeASuffix) {
     EXPECT_EQ(named("stone__wall", R"(,"extras":{"slipface_type":"ice"})"), "stone__wall__ice");
     EXPECT_EQ(named("stone", R"(,"extras":{"slipface_type":""})"), "stone");
     EXPECT_EQ(named("stone", R"(,"extras":{"other":1})"), "stone");
-    // What assimp refuses itself.
     for (const char* const extras : {"1", "\"ice\"", "[]", "null"})
-        EXPECT_THAT(named("stone", std::string(R"(,"extras":)") + extras), HasSubstr("extras")) << extras;
+        EXPECT_EQ(named("stone", std::string(R"(,"extras":)") + extras), "stone") << extras;
     for (const std::string& hostile : {std::string("7"), std::string("{}"),
                                        "\"" + std::string(300, 'x') + "\"", std::string(R"("a\u0000b")")})
         EXPECT_THAT(named("stone", R"(,"extras":{"slipface_type":)" + hostile + "}"),
                     HasSubstr("stone !ignored \"slipface_type\" of the material"))
             << hostile;
-    // A name with two types says nothing.
-    EXPECT_EQ(named("stone", R"(,"extras":{"slipface_type":"ice"}},{"name":"stone")"), "stone");
+    // Another material with the same name has no say.
+    EXPECT_EQ(named("stone", R"(,"extras":{"slipface_type":"ice"}},{"name":"stone")"), "stone__ice");
 }
 
 TEST_F(ImportScene, ExtrasOfABinaryGltfCountToo) {
@@ -383,7 +382,7 @@ TEST_F(ImportScene, BadFilesAreRefused) {
              {"", "junk", "ply\nformat ascii 1.0\n", "{\"asset\":{}}", "OFF\n1 1 1\n"}) {
             const auto result = import_as(name, text);
             ASSERT_FALSE(result) << name << ": " << text;
-            EXPECT_EQ(result.error().location, (folder / name).string());
+            EXPECT_THAT(result.error().location, testing::StartsWith((folder / name).string()));
             EXPECT_FALSE(result.error().message.empty());
         }
     }

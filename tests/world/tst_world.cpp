@@ -20,10 +20,10 @@ class CountingGraphics final : public Graphics {
         last_time_s = time_s;
     }
     void draw_mesh(const MeshPtr& mesh, const Placement& at, const std::filesystem::path& folder,
-                   const std::filesystem::path& texture) override {
+                   const MeshLook& look) override {
         meshes.push_back(mesh);
         places.push_back(at);
-        files = {folder.generic_string(), texture.generic_string()};
+        files = {folder.generic_string(), look.texture.generic_string()};
     }
     void draw_ellipsoid(const Vec3& centre, const Vec3& radii) override {
         centres.push_back(centre);

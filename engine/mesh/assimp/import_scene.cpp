@@ -7,17 +7,18 @@
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 #include <cmath>
-#include <map>
 #include <utility>
 
-#include "assimp/gltf_types.h"
-#include "assimp/material_names.h"
 #include "assimp/scene_child.h"
 #include "assimp/scene_frame.h"
 #include "assimp/scene_materials.h"
+#include "assimp/scene_rig.h"
 #include "folder_io.h"
+#include "gltf/import_gltf.h"
+#include "material_names.h"
 #include "obj/declared_counts.h"
 #include "obj/obj_text.h"
+#include "scene_nodes.h"
 #include "slipface/base/counted.h"
 #include "slipface/mesh/import.h"
 
@@ -35,13 +36,6 @@ bool is_made_up(const aiNode& node) {
            name.find("_$AssimpFbx$_") != std::string_view::npos;
 }
 
-// A part of its parent, which export_level() wrote apart because it has a surface type of its own.
-bool is_part(const aiNode& node) {
-    bool part = false;
-    return node.mMetaData != nullptr && node.mMetaData->Get("slipface_part", part) && part &&
-           node.mTransformation.IsIdentity();
-}
-
 class SceneReader {
   public:
     SceneReader(const aiScene& scene, const SceneFrame& frame, const std::string& extension,
@@ -50,54 +44,43 @@ class SceneReader {
           root_is_frame_(frame.root_is_frame),
           location_(location),
           warnings_(warnings),
-          materials_(scene_materials(scene, extension)) {}
+          materials_(scene_materials(scene, extension)),
+          nodes_(scene_nodes(scene, frame.root_is_frame)),
+          rig_(scene, nodes_) {}
 
     Result<PolygonSoup> run() {
         for (const SceneMaterial& material : materials_)
             soup_.materials.push_back(material.material);
         soup_.face_first_corner.push_back(0);
 
-        // Children before siblings, in the order of the file. Not recursive, because the file determines the
-        // depth.
-        struct Open {
-            const aiNode* node;
-            aiMatrix4x4 parent_world;
-            std::uint32_t parent;  // of soup_.nodes
-        };
-        std::vector<Open> open{{scene_.mRootNode, aiMatrix4x4(), no_id}};
-        while (!open.empty()) {
-            const Open next = open.back();
-            open.pop_back();
-            const aiNode* const node = next.node;
-            if (node == nullptr) continue;
-            const bool skipped = root_is_frame_ && node == scene_.mRootNode;
-            const aiMatrix4x4 world = skipped ? next.parent_world : next.parent_world * node->mTransformation;
-            std::uint32_t number = next.parent;
-            const bool part = number != no_id && is_part(*node);
-            if (!part && (node->mNumMeshes > 0 || !(skipped || is_made_up(*node)))) {
-                number = static_cast<std::uint32_t>(soup_.nodes.size());
-                soup_.nodes.push_back({.name = text_of(node->mName), .parent = next.parent});
-                for (unsigned row = 0; row < 4; ++row)
-                    for (unsigned column = 0; column < 4; ++column)
-                        soup_.nodes.back().world(row, column) = world[row][column];
-            }
-            if (node->mNumMeshes > 0) {
-                if (auto status = add_node(*node, world, number); !status) return status.error();
-            }
-            for (unsigned i = node->mNumChildren; i-- > 0;)
-                open.push_back({node->mChildren[i], world, number});
+        std::vector<std::uint32_t> object_of(nodes_.size(), no_id);
+        for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+            const SceneNode& node = nodes_[i];
+            const std::uint32_t parent = node.parent == no_id ? no_id : object_of[node.parent];
+            object_of[i] = parent;
+            const bool skipped = root_is_frame_ && node.parent == no_id;
+            if (node.node->mNumMeshes == 0 && (skipped || is_made_up(*node.node))) continue;
+            object_of[i] = static_cast<std::uint32_t>(soup_.nodes.size());
+            soup_.nodes.push_back({.name = text_of(node.node->mName), .parent = parent});
+            for (unsigned row = 0; row < 4; ++row)
+                for (unsigned column = 0; column < 4; ++column)
+                    soup_.nodes.back().world(row, column) = node.world[row][column];
+            if (node.node->mNumMeshes == 0) continue;
+            if (auto status = add_node(i, object_of[i]); !status) return status.error();
         }
         if (soup_.face_material.empty()) return Error{location_, "has no faces"};
         if (dropped_ > 0)
             warnings_.add(location_, fmt::format("dropped {} of {}",
                                                  counted(dropped_, "point or line", "points and lines"),
                                                  counted(meshes_with_dropped_, "mesh", "meshes")));
-        drop_empty_nodes();
+        drop_empty_nodes(soup_, shapes_);
+        soup_.rig = rig_.take();
         return std::move(soup_);
     }
 
   private:
-    Status add_node(const aiNode& node, const aiMatrix4x4& world, std::uint32_t number) {
+    Status add_node(std::uint32_t index, std::uint32_t number) {
+        const aiNode& node = *nodes_[index].node;
         MeshNode& object = soup_.nodes[number];
         if (object.group == no_id) {
             object.group = static_cast<std::uint32_t>(soup_.groups.size());
@@ -108,13 +91,14 @@ class SceneReader {
         for (unsigned i = 0; i < node.mNumMeshes; ++i) {
             if (node.mMeshes[i] >= scene_.mNumMeshes)
                 return Error{location_, "a node refers to a missing mesh"};
-            if (auto status = add_mesh(*scene_.mMeshes[node.mMeshes[i]], world); !status) return status;
+            if (auto status = add_mesh(*scene_.mMeshes[node.mMeshes[i]], index); !status) return status;
         }
         return {};
     }
 
-    Status add_mesh(const aiMesh& mesh, const aiMatrix4x4& world) {
-        const bool mirrored = world.Determinant() < 0.0F;
+    Status add_mesh(const aiMesh& mesh, std::uint32_t node) {
+        rig_.begin_mesh(mesh, node);
+        const bool mirrored = rig_.mirrored();
         const unsigned number = std::min(mesh.mMaterialIndex, std::max(scene_.mNumMaterials, 1U) - 1);
         static const SceneMaterial none;
         const SceneMaterial& material = number < materials_.size() ? materials_[number] : none;
@@ -137,7 +121,7 @@ class SceneReader {
                 // A mirroring transformation reverses the winding; reading the polygon backwards preserves
                 // its front.
                 const unsigned vertex = face.mIndices[mirrored ? face.mNumIndices - 1 - k : k];
-                if (auto status = add_corner(mesh, vertex, world, material); !status) return status;
+                if (auto status = add_corner(mesh, vertex, material); !status) return status;
             }
             soup_.face_first_corner.push_back(static_cast<std::uint32_t>(soup_.corner_position.size()));
             soup_.face_material.push_back(number);
@@ -147,13 +131,13 @@ class SceneReader {
         return {};
     }
 
-    Status add_corner(const aiMesh& mesh, unsigned vertex, const aiMatrix4x4& world,
-                      const SceneMaterial& material) {
+    Status add_corner(const aiMesh& mesh, unsigned vertex, const SceneMaterial& material) {
         if (vertex >= mesh.mNumVertices) {
             return Error{location_, fmt::format("index {} is out of range; mesh {} has {} vertices", vertex,
                                                 in_quotes(text_of(mesh.mName)), mesh.mNumVertices)};
         }
-        const aiVector3D position = world * mesh.mVertices[vertex];
+        const aiVector3D position = rig_.placed(vertex);
+        rig_.add_corner(vertex);
         soup_.corner_position.emplace_back(position.x, position.y, position.z);
         if (!(soup_.corner_position.back().cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <=
               largest_coordinate)) {
@@ -170,37 +154,17 @@ class SceneReader {
         return {};
     }
 
-    // Removes the nodes without faces in or below them, and finds the copies among the others.
-    void drop_empty_nodes() {
-        std::vector<bool> used(soup_.nodes.size());
-        for (std::size_t i = soup_.nodes.size(); i-- > 0;) {
-            used[i] = used[i] || soup_.nodes[i].group != no_id;
-            if (used[i] && soup_.nodes[i].parent != no_id) used[soup_.nodes[i].parent] = true;
-        }
-        std::map<std::vector<unsigned>, std::uint32_t> first;
-        std::vector<std::uint32_t> number(soup_.nodes.size(), no_id);
-        std::vector<MeshNode> kept;
-        for (std::size_t i = 0; i < soup_.nodes.size(); ++i) {
-            if (!used[i]) continue;
-            number[i] = static_cast<std::uint32_t>(kept.size());
-            MeshNode& node = kept.emplace_back(std::move(soup_.nodes[i]));
-            if (node.parent != no_id) node.parent = number[node.parent];
-            const auto shape = shapes_.find(static_cast<std::uint32_t>(i));
-            if (shape != shapes_.end())
-                node.shape = first.try_emplace(shape->second, number[i]).first->second;
-        }
-        soup_.nodes = std::move(kept);
-    }
-
     const aiScene& scene_;
     const bool root_is_frame_;  // assimp corrects axes and unit there; this code does so itself
     const std::string& location_;
     WarningList& warnings_;
     const std::vector<SceneMaterial> materials_;
+    const std::vector<SceneNode> nodes_;
+    SceneRig rig_;
     PolygonSoup soup_;
-    std::size_t dropped_ = 0, meshes_with_dropped_ = 0;      // faces of fewer than three corners
-    std::uint32_t group_ = 0;                                // of the faces being added
-    std::map<std::uint32_t, std::vector<unsigned>> shapes_;  // meshes of each node
+    std::size_t dropped_ = 0, meshes_with_dropped_ = 0;  // faces of fewer than three corners
+    std::uint32_t group_ = 0;                            // of the faces being added
+    NodeShapes shapes_;                                  // meshes of each node
 };
 
 class CancelledByProgress final : public Assimp::ProgressHandler {
@@ -231,6 +195,11 @@ bool reads_scenes() {
 
 Result<ImportedSoup> read_scene(const std::filesystem::path& path, const std::string& extension,
                                 std::string bytes, WarningList& warnings, Progress* progress) {
+    if (extension == "gltf" || extension == "glb") {
+        bool too_old = false;  // assimp has a reader of the older format
+        Result<ImportedSoup> read = import_gltf(path, bytes, warnings, progress, &too_old);
+        if (!too_old) return read;
+    }
     const std::string location = path.string();
     std::vector<std::string> asked_for;
     Assimp::Importer importer;
@@ -241,14 +210,12 @@ Result<ImportedSoup> read_scene(const std::filesystem::path& path, const std::st
     if (scene == nullptr)
         return Error{location, fmt::format("assimp cannot read it: {}", importer.GetErrorString())};
     const SceneFrame frame = scene_frame(*scene, extension, bytes);
-    const bool is_gltf = extension == "gltf" || extension == "glb";
-    if (!is_gltf) std::string().swap(bytes);
+    std::string().swap(bytes);
     auto soup = SceneReader(*scene, frame, extension, location, warnings).run();
     if (!soup) return soup.error();
     std::erase(asked_for, location);
     soup->other_files = std::move(asked_for);
     ImportedSoup imported{.soup = std::move(*soup), .frame = frame.frame};
-    if (is_gltf) imported.type_table = add_gltf_types(bytes, location, imported.soup.materials, warnings);
     name_materials(imported.soup);
     return imported;
 }

@@ -14,7 +14,7 @@ struct SceneFrame {
     bool root_is_frame = false;  // the root's transformation is a correction by assimp, not from the file
 };
 
-// The unit and axes of a file that assimp read: as the file declares (FBX, COLLADA, glTF), else as the usual
+// The unit and axes of a file that assimp read: as the file declares (FBX, COLLADA), else as the usual
 // writers of its format do. `bytes`: the content of the file, for data that assimp does not pass on.
 SceneFrame scene_frame(const aiScene& scene, const std::string& extension, std::string_view bytes);
 

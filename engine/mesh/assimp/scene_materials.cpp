@@ -1,15 +1,12 @@
-// Source of the texture transform: glTF extension KHR_texture_transform.
 #include "assimp/scene_materials.h"
 
 #include <assimp/commonMetaData.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "obj/obj_text.h"
-#include "slipface/mesh/srgb.h"
 
 namespace slipface {
 
@@ -19,24 +16,6 @@ std::string text_of(const aiString& text) {
 }
 
 namespace {
-
-// glTF's names of files are URIs: "a%20b.png" is "a b.png".
-std::string without_escapes(std::string_view uri) {
-    const auto digit = [](char c) {
-        if (c >= '0' && c <= '9') return c - '0';
-        const char upper = static_cast<char>(c & ~0x20);
-        return upper >= 'A' && upper <= 'F' ? upper - 'A' + 10 : -1;
-    };
-    std::string name;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        const bool escape =
-            uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
-        name += escape ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i];
-        if (escape) i += 2;
-    }
-    bool converted = false;
-    return utf8_name(name, converted);
-}
 
 struct Picture {
     std::string name;  // of a file; no other picture's
@@ -75,19 +54,6 @@ std::vector<Picture> pictures_of(const aiScene& scene) {
     return pictures;
 }
 
-// The extension gives offset, scale and a rotation about the picture's upper left corner; assimp composes
-// them to a rotation about the centre and a translation, in another order. So take that apart again.
-Eigen::Matrix<float, 2, 3> gltf_transform(const aiUVTransform& from) {
-    const double sx = from.mScaling.x, sy = from.mScaling.y, angle = -from.mRotation;
-    const double c = std::cos(angle), s = std::sin(angle);
-    const double x = from.mTranslation.x - 0.5 * sx * (1 + s - c);
-    const double y = 1 - sy + 0.5 * sy * (s + c - 1) - from.mTranslation.y;
-    // With V down: u' = c sx u + s sy v + x, v' = -s sx u + c sy v + y.
-    Eigen::Matrix<double, 2, 3> up;
-    up << c * sx, -s * sy, s * sy + x, s * sx, c * sy, 1 - c * sy - y;
-    return up.cast<float>();
-}
-
 // FBX and COLLADA: a picture is repeated and moved. Its rotation, about whose centre programs differ, is
 // left out. Blender moves first, others repeat first.
 Eigen::Matrix<float, 2, 3> repeated(const aiUVTransform& from, bool moved_first) {
@@ -107,7 +73,7 @@ bool is_by_blender(const aiScene& scene) {
 
 SceneMaterial material_of(const aiScene& scene, const aiMaterial& source,
                           const std::vector<Picture>& pictures, const std::string& extension) {
-    const bool gltf = extension == "gltf" || extension == "glb", fbx = extension == "fbx";
+    const bool fbx = extension == "fbx";
     SceneMaterial made;
     Material& material = made.material;
     material.name = text_of(const_cast<aiMaterial&>(source).GetName());
@@ -116,7 +82,6 @@ SceneMaterial material_of(const aiScene& scene, const aiMaterial& source,
     if (source.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS) {
         const Vec3f diffuse(color.r, color.g, color.b);
         if (diffuse.allFinite()) material.diffuse = diffuse.cwiseMax(0.0F).cwiseMin(1.0F);
-        if (gltf) material.diffuse = srgb_of_linear(material.diffuse);
     }
     for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
         aiString path;
@@ -128,17 +93,16 @@ SceneMaterial material_of(const aiScene& scene, const aiMaterial& source,
             material.texture = picture.name;
             material.picture = picture.bytes;
         } else if (path.length > 0 && path.data[0] != '*') {  // '*' stands for a picture in the file
-            material.texture = gltf ? without_escapes(text_of(path)) : text_of(path);
+            material.texture = text_of(path);
         }
         int uv_set = 0;
         if (source.Get(AI_MATKEY_UVWSRC(type, 0), uv_set) == aiReturn_SUCCESS && uv_set >= 0 &&
             uv_set < AI_MAX_NUMBER_OF_TEXTURECOORDS)
             made.uv_set = static_cast<unsigned>(uv_set);
         aiUVTransform transform;
-        if ((gltf || fbx || extension == "dae") &&
+        if ((fbx || extension == "dae") &&
             source.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == aiReturn_SUCCESS) {
-            made.uv_transform =
-                gltf ? gltf_transform(transform) : repeated(transform, fbx && is_by_blender(scene));
+            made.uv_transform = repeated(transform, fbx && is_by_blender(scene));
             if (!made.uv_transform.allFinite()) made.uv_transform.setIdentity();
         }
         break;

@@ -1,8 +1,10 @@
 #include "assimp/soup_bytes.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "slipface/base/bytes.h"
+#include "slipface/mesh/rig.h"
 
 namespace slipface {
 namespace {
@@ -90,6 +92,30 @@ void members(Bytes& bytes, Answer& answer) {
     });
 }
 
+template <typename Bytes, typename SomeRig>
+void rig_members(Bytes& bytes, SomeRig& rig) {
+    bytes.numbers(rig.nodes);
+    bytes.numbers(rig.bones);
+    bytes.numbers(rig.weights);
+    bytes.numbers(rig.corner_position);
+    bytes.numbers(rig.corner_bones);
+    bytes.numbers(rig.corner_weights);
+    bytes.numbers(rig.corner_first_delta);
+    bytes.numbers(rig.deltas);
+    bytes.list(rig.clips, [&](auto& clip) {
+        bytes.text(clip.name);
+        bytes.number(clip.seconds);
+        bytes.list(clip.tracks, [&](auto& track) {
+            bytes.number(track.node);
+            bytes.number(track.moves);
+            bytes.number(track.between);
+            bytes.numbers(track.times);
+            bytes.numbers(track.values);
+            bytes.numbers(track.angles);
+        });
+    });
+}
+
 // Pictures that several materials have are written once.
 void put_pictures(Writer& writer, const std::vector<Material>& materials) {
     std::vector<const std::string*> pictures;
@@ -130,6 +156,8 @@ std::string answer_to_bytes(const SceneAnswer& answer) {
     } else {
         members(writer, answer);
         put_pictures(writer, answer.scene.soup.materials);
+        writer.number(answer.scene.soup.rig != nullptr);
+        if (answer.scene.soup.rig) rig_members(writer, std::as_const(*answer.scene.soup.rig));
     }
     return std::move(writer.to.bytes);
 }
@@ -146,6 +174,10 @@ std::optional<SceneAnswer> answer_from_bytes(std::string_view bytes) {
     } else {
         members(reader, answer);
         if (!get_pictures(reader, answer.scene.soup.materials)) return std::nullopt;
+        if (reader.from.get<bool>()) {
+            answer.scene.soup.rig = std::make_shared<Rig>();
+            rig_members(reader, *answer.scene.soup.rig);
+        }
         const FileFrame& frame = answer.scene.frame;
         if (frame.up > UpAxis::minus_x || frame.up_from > ImportSource::given ||
             frame.scale_from > ImportSource::given)

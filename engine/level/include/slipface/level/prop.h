@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "slipface/collision/instances.h"
-#include "slipface/mesh/mesh.h"
+#include "slipface/mesh/animation.h"
 
 namespace slipface {
 
@@ -21,6 +21,7 @@ struct Prop {
     Vec3 scale = Vec3::Ones();     // along the mesh's own axes; a negative one mirrors
     std::string texture;           // image file, likewise relative; empty: the textures of the mesh
     std::string type;              // surface type of all its faces; empty: rules and suffixes decide
+    Animation animation;           // its clip and the motion of its texture; collision sees it at rest
     Placement placement() const { return slipface::placement(position, rotation, scale); }
     friend bool operator==(const Prop&, const Prop&) = default;
 };

@@ -21,6 +21,7 @@ struct PolygonSoup {
     std::vector<std::string> groups;           // empty: one without a name
     std::vector<MeshNode> nodes;               // as in Mesh
     std::vector<std::string> other_files;      // as in Mesh
+    std::shared_ptr<Rig> rig;                  // of the corners above, or null
 };
 
 // Builds a mesh. Welds corners at exactly the same position into one vertex (-0 counts as 0) and numbers

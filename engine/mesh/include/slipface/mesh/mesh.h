@@ -12,6 +12,8 @@
 
 namespace slipface {
 
+struct Rig;
+
 struct Material {
     std::string name;                       // as in `newmtl`; empty for faces without a material
     Vec3f diffuse = Vec3f::Constant(0.8f);  // Kd, 0..1, sRGB as authored
@@ -56,7 +58,8 @@ struct Mesh {
     // `materials`.
     std::vector<std::string> other_files;
     Aabb bounds;
-    std::uint64_t fingerprint = 0;  // of positions, faces and material names
+    std::shared_ptr<const Rig> rig;  // how it moves (rig.h); null: it has no clips
+    std::uint64_t fingerprint = 0;   // of positions, faces and material names
 
     std::size_t face_count() const { return face_material.size(); }
     std::size_t triangle_count() const { return triangles.size(); }

@@ -41,7 +41,7 @@ class GlGraphics final : public Graphics {
     // A mesh is uploaded in the first frame that draws it, once for each texture, and freed like a level. It
     // is drawn without borders and surface types.
     void draw_mesh(const MeshPtr& mesh, const Placement& at, const std::filesystem::path& folder,
-                   const std::filesystem::path& texture = {}) override;
+                   const MeshLook& look = {}) override;
     void draw_ellipsoid(const Vec3& centre, const Vec3& radii) override;
 
     // The game's own lines, arrows and discs over the frame. begin_frame() clears it.

@@ -11,6 +11,7 @@
 #include "slipface/base/placement.h"
 #include "slipface/level/level.h"
 #include "slipface/level/level_light.h"
+#include "slipface/mesh/animation.h"
 #include "slipface/mesh/mesh.h"
 #include "slipface/mesh/texture_file.h"
 #include "slipface/movement/surface_type.h"
@@ -19,6 +20,13 @@
 #include "slipface/view/level_style.h"
 
 namespace slipface {
+
+// An instance of a mesh.
+struct PosedMesh {
+    Placement at;
+    RigPose pose = {};  // of a mesh with clips; without bones: at rest
+    UvChange uv{1, 1, 0, 0};
+};
 
 class LevelRenderer {
   public:
@@ -34,6 +42,9 @@ class LevelRenderer {
     // (outside_textures()).
     Warnings set_mesh(MeshPtr mesh, const std::filesystem::path& folder,
                       TextureAccess textures = TextureAccess::folder);
+
+    // A mesh that only draw_placed() draws. If it has clips, in any pose.
+    Warnings set_instances(MeshPtr mesh, const std::filesystem::path& folder);
 
     // The level's baked light; its image is in `folder`. Call it after set_mesh(), which drops the light.
     // `lit` is the mesh it was baked for: the first faces of the drawn one. An image that does not fit this
@@ -53,8 +64,13 @@ class LevelRenderer {
     // once, and a change of the props costs little. `types`: resolve_props(), painted. Not lit by baked
     // light. Returns textures that are missing. set_mesh() ends it.
     Warnings set_props(const Level& level, const PropSurfaces& types);
+    // For a mesh that has the faces of the props, as baked light needs it: those that are animated are drawn
+    // as instances instead of their faces there, and not lit.
+    Warnings set_animated_props(const Level& level, PropSurfaces types);
     // Highlights of props that have some: [prop] of each face.
     void set_prop_highlights(const std::map<std::uint32_t, std::vector<std::uint8_t>>& highlights);
+    // The moment of the level that the props' clips and textures show, seconds.
+    void animate_props(double time_s);
     // Draws props elsewhere than they rest: [prop].
     void move_props(const std::map<std::uint32_t, Pose>& poses);
 
@@ -71,15 +87,16 @@ class LevelRenderer {
     void draw(const Camera& camera, int width, int height, const LevelStyle& style);
     // Draws the level alone, with depth test, over what is already drawn: another level of the same world.
     void draw_over(const Camera& camera, int width, int height, const LevelStyle& style);
-    // The same where `at` places the mesh, without borders. `extent_around`: the size of the level around it,
-    // metres, from which follows what is far away.
+    // The same where `placed` has the mesh of set_instances(), without borders. `extent_around`: the size of
+    // the level around it, metres, from which follows what is far away.
     void draw_placed(const Camera& camera, int width, int height, const LevelStyle& style,
-                     const Placement& at, double extent_around);
+                     const PosedMesh& placed, double extent_around);
 
   private:
     friend class LevelProps;
     struct Impl;
     explicit LevelRenderer(std::unique_ptr<Impl> impl);
+    Warnings set(MeshPtr mesh, const std::filesystem::path& folder, TextureAccess textures, bool instances);
     std::unique_ptr<Impl> impl_;
 };
 

@@ -59,6 +59,7 @@ class GeometricManager : public Manager {
     double time_s_ = 0.0;
     std::vector<Character*> characters_;
     std::vector<CrowdMember> crowd_;  // of one tick
+    RigPose pose_;                    // of one prop
 };
 
 }  // namespace slipface

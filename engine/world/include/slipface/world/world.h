@@ -8,11 +8,19 @@
 #include <vector>
 
 #include "slipface/base/placement.h"
-#include "slipface/mesh/mesh.h"
+#include "slipface/mesh/animation.h"
 
 namespace slipface {
 
 struct Level;
+
+// What an instance of a mesh has for itself (lecture: "specific instance properties like scale, texture, or
+// animation should go in a containing class").
+struct MeshLook {
+    std::filesystem::path texture;  // an image file that replaces those of all materials; empty: its own
+    const RigPose* pose = nullptr;  // of pose_at(), read during the call; null: at rest
+    UvChange uv{1, 1, 0, 0};        // of uv_at()
+};
 
 // The interface that a world is drawn through (lecture: "Graphics *g"): slipface/render/gl_graphics.h draws
 // with OpenGL, a test counts calls. All positions are in coordinates of the level, metres. An implementation
@@ -24,11 +32,9 @@ class Graphics {
     // caller must not move or destroy `level` until the frame is drawn.
     virtual void draw_level(const Level& level, double time_s) = 0;
     // Draws a mesh where `at` places it: a prop, or what a game adds. However often it is drawn, it is loaded
-    // once. The textures of its materials are read from `folder`; `texture`, an image file, replaces them
-    // all. By default nothing is drawn.
+    // once. The textures of its materials are read from `folder`. By default nothing is drawn.
     virtual void draw_mesh(const MeshPtr& /*mesh*/, const Placement& /*at*/,
-                           const std::filesystem::path& /*folder*/,
-                           const std::filesystem::path& /*texture*/ = {}) {}
+                           const std::filesystem::path& /*folder*/, const MeshLook& /*look*/ = {}) {}
     // Draws an ellipsoid with axes parallel to the world's, such as a character; `radii` > 0.
     virtual void draw_ellipsoid(const Vec3& centre, const Vec3& radii) = 0;
 };

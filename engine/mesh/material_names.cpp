@@ -1,4 +1,4 @@
-#include "assimp/material_names.h"
+#include "material_names.h"
 
 #include <filesystem>
 #include <map>
