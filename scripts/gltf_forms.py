@@ -11,9 +11,9 @@ import numpy
 
 PACK = {  # form: options of gltfpack
     "pack plain": ["-noq"], "pack quantized": [], "pack 16 bits": ["-vp", "16", "-vt", "16"], "pack normalised": ["-vpn"],
-    "pack meshopt": ["-c"], "pack meshopt high": ["-cc"], "pack meshopt fallback": ["-cf"], "pack instances": ["-mi", "-noq"],
-    "pack instances quantized": ["-mi"], "pack instances meshopt": ["-mi", "-cc"], "pack named": ["-kn", "-km", "-ke"], "pack merged": ["-mm"],
-}
+    "pack meshopt": ["-c"], "pack meshopt high": ["-cc"], "pack meshopt fallback": ["-cf"], "pack named": ["-kn", "-km", "-ke"],
+    "pack merged": ["-mm"],
+}  # not -mi: gltfpack 0.18 writes other places for instances that are scaled unevenly and turned
 TRANSFORM = {  # form: command of gltf-transform and its options
     "copy": ["copy"], "separate": ["copy", "--vertex-layout", "separate"], "dedup": ["dedup"], "prune": ["prune"], "instance": ["instance", "--min", "2"],
     "flatten": ["flatten"], "join": ["join"], "draco": ["draco"], "draco sequential": ["draco", "--method", "sequential"], "meshopt": ["meshopt"],
