@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "open_floor.h"
 #include "start_room.h"
 
 namespace slipface {
@@ -80,15 +81,13 @@ std::optional<Moved> pushed_out(const MovementScene& scene, const MovementSettin
     return std::nullopt;
 }
 
-// Floor below the body's rim on all four sides: nobody slides off an edge. It is seen from above: within a
-// solid body the player would stand on the back of its underside.
+// Floor below the body's rim on all four sides: nobody slides off an edge.
 bool is_firm(const MovementScene& scene, const MovementSettings& settings, const Vec3& centre) {
     for (const auto& [x, z] : {std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1)}) {
         const Vec3 at = centre + Vec3(x * settings.radii.x(), 0.0, z * settings.radii.z());
         const bool terrain = scene.heightfield && settings.heightfield &&
                              terrain_at(*scene.heightfield, at.x(), at.z()).has_value();
-        const auto below = cast_ray(scene.collision, at, {0.0, -1.0, 0.0});
-        if (!terrain && (!below || below->back_face)) return false;
+        if (!terrain && !cast_ray(scene.collision, at, {0.0, -1.0, 0.0})) return false;
     }
     return true;
 }
@@ -165,7 +164,8 @@ class StartFinder {
                 room = true;
             }
         }
-        if (!room || !is_firm(scene_, settings_, centre)) return elsewhere(start, "The level has no spawn");
+        if (!room || !is_firm(scene_, settings_, centre) || !open_floor().is_good(centre))
+            return elsewhere(start, "The level has no spawn");
         start.position = centre - offset_;
         start.note = "The level has no spawn; the player starts at the origin";
         if (!note.empty()) start.note += "," + note;
@@ -173,12 +173,20 @@ class StartFinder {
     }
 
   private:
+    // What may take a tenth of a second is done if it is needed, and once.
+    const OpenFloor& open_floor() {
+        if (!open_floor_) open_floor_.emplace(scene_, settings_);
+        return *open_floor_;
+    }
+
     // Says in `note` how.
     std::optional<Vec3> made_to_fit(const Vec3& centre, std::string& note) {
-        const auto up = lifted(scene_, settings_, centre);
+        auto up = lifted(scene_, settings_, centre);
+        if (up && open_floor().in_solid(up->centre)) up.reset();
         const double limit = longest_push * settings_.radii.y();
-        const auto out =
+        auto out =
             pushed_out(scene_, settings_, centre, up ? std::min(up->distance, limit) : limit, all_tried_);
+        if (out && open_floor().in_solid(out->centre)) out.reset();
         if (!up && !out) return std::nullopt;
         const bool sideways = out && (!up || out->distance < up->distance);
         note = fmt::format(" {} {}", sideways ? "pushed out of the level by" : "lifted onto the floor by",
@@ -187,7 +195,7 @@ class StartFinder {
     }
 
     Start elsewhere(Start start, const std::string& why) {
-        const auto floor = find_open_floor(scene_, settings_, &all_tried_);
+        const auto floor = open_floor().best(all_tried_);
         if (floor) {
             start.position = *floor - offset_;
             start.yaw = open_yaw(scene_, *floor);
@@ -206,6 +214,7 @@ class StartFinder {
     const MovementScene& scene_;
     const Vec3& offset_;
     const MovementSettings& settings_;
+    std::optional<OpenFloor> open_floor_;
     bool all_tried_ = true;
 };
 

@@ -1,222 +1,330 @@
-// The best open floor near the middle of a level, for players of levels without a spawn.
+#include "open_floor.h"
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "slipface/level/find_start.h"
-#include "start_room.h"
 
 namespace slipface {
 
 namespace {
 
-constexpr int max_columns = 64;   // along each of x and z
-constexpr int least_columns = 8;  // also in a level smaller than the player
-constexpr int max_layers = 32;    // floors above each other in a column
+constexpr double nearly_all = 0.7;  // of what is reached from the best start
 constexpr double height_weight = 2.0;
-
-struct Sample {
-    int column = 0, row = 0;
-    Vec3 centre = Vec3::Zero();  // of a player who stands there
-    int links = 0;               // to neighbours
-};
-
-class OpenFloor {
-  public:
-    OpenFloor(const MovementScene& scene, const MovementSettings& settings, bool backs)
-        : scene_(scene), settings_(settings), backs_(backs), bounds_(scene.collision.bounds()) {
-        if (const Heightfield* field = terrain(); field != nullptr && !field->heights.empty()) {
-            const auto [low, high] = std::minmax_element(field->heights.begin(), field->heights.end());
-            bounds_.add(Vec3(field->origin.x(), *low, field->origin.z()));
-            bounds_.add(
-                Vec3(field->origin.x() + field->size.x(), *high, field->origin.z() + field->size.y()));
-        }
-    }
-
-    std::optional<Vec3> find() {
-        if (bounds_.empty() || !bounds_.min.allFinite() || !bounds_.max.allFinite()) return std::nullopt;
-        const Vec3 size = bounds_.max - bounds_.min;
-        columns_ = count_along(size.x(), settings_.radii.x());
-        rows_ = count_along(size.z(), settings_.radii.z());
-        cell_ = Vec2(size.x() / columns_, size.z() / rows_);
-        crowd_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
-        for (const auto& [column, row] : from_the_middle())
-            sample_column(column, row);
-        const auto cell_of = [&](const Sample& sample) { return cell_index(sample.column, sample.row); };
-        std::stable_sort(samples_.begin(), samples_.end(),
-                         [&](const Sample& a, const Sample& b) { return cell_of(a) < cell_of(b); });
-        first_.assign(crowd_.size() + 1, samples_.size());
-        for (std::size_t i = samples_.size(); i-- > 0;)
-            first_[cell_of(samples_[i])] = i;
-        for (std::size_t cell = crowd_.size(); cell-- > 0;)
-            first_[cell] = std::min(first_[cell], first_[cell + 1]);
-        effort_ = SearchEffort();
-        link_all();
-        return choose();
-    }
-    bool all_tried() const { return all_tried_; }
-
-  private:
-    const Heightfield* terrain() const { return settings_.heightfield ? scene_.heightfield : nullptr; }
-    // One sample per radius, within the limits.
-    static int count_along(double size, double radius) {
-        return static_cast<int>(
-            std::clamp(std::ceil(size / radius), double{least_columns}, double{max_columns}));
-    }
-    std::size_t cell_index(int column, int row) const {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-               static_cast<std::size_t>(column);
-    }
-
-    // The columns and rows of the grid, the nearest to its middle first.
-    std::vector<std::pair<int, int>> from_the_middle() const {
-        std::vector<std::pair<int, int>> cells;
-        for (int row = 0; row < rows_; ++row)
-            for (int column = 0; column < columns_; ++column)
-                cells.emplace_back(column, row);
-        const auto distance2 = [&](const std::pair<int, int>& cell) {
-            const int x = 2 * cell.first + 1 - columns_, z = 2 * cell.second + 1 - rows_;
-            return x * x + z * z;
-        };
-        std::stable_sort(cells.begin(), cells.end(),
-                         [&](const auto& a, const auto& b) { return distance2(a) < distance2(b); });
-        return cells;
-    }
-    // Before queries in the column of a cell.
-    bool spend(std::size_t cell) {
-        const bool go_on = effort_.spend(crowd_[cell]);
-        all_tried_ = all_tried_ && go_on;
-        return go_on;
-    }
-
-    void sample_column(int column, int row) {
-        const double x = bounds_.min.x() + (column + 0.5) * cell_.x();
-        const double z = bounds_.min.z() + (row + 0.5) * cell_.y();
-        const double step =
-            1e-9 * (1.0 + bounds_.max.cwiseAbs().maxCoeff() + bounds_.min.cwiseAbs().maxCoeff());
-        double y = bounds_.max.y() + 1.0;
-        const Vec3 body = settings_.radii + Vec3(0.0, y - bounds_.min.y(), 0.0);
-        const std::size_t cell = cell_index(column, row);
-        crowd_[cell] = crowd_in(scene_, {Vec3(x, y, z) - body, Vec3(x, y, z) + body});
-        for (int layer = 0; layer < max_layers && spend(cell); ++layer) {
-            const auto hit = cast_ray(scene_.collision, {x, y, z}, {0.0, -1.0, 0.0});
-            if (!hit) break;
-            if (hit->back_face == backs_ && !is_hazard(hit->face))
-                add_sample(column, row, hit->point, hit->normal);
-            // The next ray starts a little below the hit, so that coincident faces are hit once.
-            y = std::min(hit->point.y(), y) - std::max(step, 1e-4);
-        }
-        if (terrain() == nullptr) return;
-        if (const auto point = terrain_at(*terrain(), x, z))
-            add_sample(column, row, Vec3(x, point->height, z), point->normal);
-    }
-
-    bool is_hazard(FaceId face) const {
-        const SurfaceId surface = scene_.collision.face_surface(face);
-        return settings_.surface_types && surface < scene_.surfaces.size() &&
-               scene_.surfaces[surface].hazardous;
-    }
-
-    void add_sample(int column, int row, const Vec3& point, const Vec3& normal) {
-        if (normal.y() < std::cos(settings_.max_slope)) return;
-        // Start above small bumps of the floor around the point.
-        const double lift = 0.25 * settings_.radii.y();
-        const double standing = centre_on(Vec3::Zero(), normal, settings_).dot(normal) / normal.y();
-        const Vec3 above = point + Vec3(0.0, standing + lift, 0.0);
-        if (!has_room(scene_, settings_, settings_.radii, above)) return;
-        const auto landed = drop(scene_, settings_, above, 2.0 * lift + settings_.skin);
-        if (landed && fits(scene_, settings_, *landed)) samples_.push_back({column, row, *landed});
-    }
-
-    std::size_t root(std::size_t i) {
-        while (parent_[i] != i)
-            i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-
-    bool connected(const Vec3& from, const Vec3& to, std::size_t cell) {
-        const double raise = settings_.step_up ? settings_.step_height : settings_.skin;
-        const Vec3 path = to - from;
-        if (std::abs(path.y()) > raise + Vec2(path.x(), path.z()).norm() * std::tan(settings_.max_slope))
-            return false;
-        const Vec3 up(0.0, raise, 0.0);
-        return spend(cell) && !first_contact(scene_, settings_.radii, from + up, path);
-    }
-
-    void link_all() {
-        parent_.resize(samples_.size());
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-        for (std::size_t i = 0; i < samples_.size(); ++i) {
-            if (samples_[i].column + 1 < columns_) link(i, samples_[i].column + 1, samples_[i].row);
-            if (samples_[i].row + 1 < rows_) link(i, samples_[i].column, samples_[i].row + 1);
-        }
-    }
-
-    void link(std::size_t i, int column, int row) {
-        const std::size_t cell = cell_index(column, row);
-        for (std::size_t k = first_[cell]; k < first_[cell + 1]; ++k) {
-            if (!connected(samples_[i].centre, samples_[k].centre, cell)) continue;
-            ++samples_[i].links;
-            ++samples_[k].links;
-            const std::size_t a = root(i), b = root(k);
-            parent_[std::max(a, b)] = std::min(a, b);
-        }
-    }
-
-    std::optional<Vec3> choose() {
-        std::vector<std::size_t> count(samples_.size(), 0);
-        for (std::size_t i = 0; i < samples_.size(); ++i)
-            ++count[root(i)];
-        const std::size_t largest = count.empty() ? 0 : *std::max_element(count.begin(), count.end());
-        const double smallest_area = settings_.radii.x() * settings_.radii.z();
-        if (static_cast<double>(largest) * cell_.x() * cell_.y() < smallest_area) return std::nullopt;
-        double lowest = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < samples_.size(); ++i)
-            if (2 * count[root(i)] >= largest) lowest = std::min(lowest, samples_[i].centre.y());
-        const Vec3 middle = 0.5 * (bounds_.min + bounds_.max);
-        const Sample* best = nullptr;
-        double best_cost = 0.0;
-        for (std::size_t i = 0; i < samples_.size(); ++i) {
-            if (2 * count[root(i)] < largest) continue;
-            const Sample& sample = samples_[i];
-            const double x = sample.centre.x() - middle.x(), z = sample.centre.z() - middle.z();
-            const double up = height_weight * (sample.centre.y() - lowest);
-            const double cost = x * x + z * z + up * up;
-            // Samples that are open on all four sides come first.
-            const bool open = sample.links >= 4, best_open = best != nullptr && best->links >= 4;
-            if (best == nullptr || (open && !best_open) || (open == best_open && cost < best_cost)) {
-                best = &sample;
-                best_cost = cost;
-            }
-        }
-        return best->centre;
-    }
-
-    const MovementScene& scene_;
-    const MovementSettings& settings_;
-    const bool backs_;  // stand on faces that look down, and on no others
-    Aabb bounds_;
-    int columns_ = 0, rows_ = 0;
-    Vec2 cell_ = Vec2::Zero();
-    std::vector<std::size_t> crowd_;  // [cell] about how many triangles a query there looks at
-    SearchEffort effort_;
-    bool all_tried_ = true;
-    std::vector<Sample> samples_;     // sorted by cell
-    std::vector<std::size_t> first_;  // [cell] its first sample; one more at the end
-    std::vector<std::size_t> parent_;
-};
+constexpr double sure_jump = 0.9;            // of the highest jump
+constexpr std::size_t most_arc_cells = 16;   // of a jump, along its direction
+constexpr std::size_t most_searched = 64;    // regions from which everything reached is counted
+constexpr std::size_t most_ways = 2'000'000;  // followed for that
+constexpr std::size_t most_stood_at = 400;
+constexpr std::array<std::array<int, 2>, 4> sides{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 }  // namespace
 
-std::optional<Vec3> find_open_floor(const MovementScene& scene, const MovementSettings& settings,
-                                    bool* all_tried) {
-    // A level whose faces are wound the other way round throughout still holds the player.
-    for (const bool backs : {false, true}) {
-        OpenFloor search(scene, settings, backs);
-        const auto floor = search.find();
-        if (all_tried != nullptr) *all_tried = *all_tried && search.all_tried();
-        if (floor) return floor;
+OpenFloor::OpenFloor(const MovementScene& scene, const MovementSettings& settings)
+    : scene_(scene), settings_(settings), columns_(floor_columns(scene, settings)) {
+    step_ = settings.step_up ? settings.step_height : settings.skin;
+    const double gravity = std::max(settings.gravity, 1e-3);
+    jump_ = std::max(step_, sure_jump * settings.jump_speed * settings.jump_speed / (2.0 * gravity));
+    connect();
+    attribute();
+    judge();
+}
+
+std::size_t OpenFloor::root(std::size_t i) {
+    while (parent_[i] != i)
+        i = parent_[i] = parent_[parent_[i]];
+    return i;
+}
+
+bool OpenFloor::walks(const FloorColumns::Place& a, const FloorColumns::Place& b) const {
+    if (!a.floor || !b.floor) return false;
+    if (std::abs(a.top - b.top) > step_ + std::max(a.rise, b.rise)) return false;
+    return std::min(a.ceiling, b.ceiling) - std::max(a.top, b.top) >= columns_.body;
+}
+
+// Visits the places on which a jump from `from` along (dx, dz) may end: as high as the jump until its highest
+// point, and then on its parabola.
+template <class Visit>
+void OpenFloor::arcs(std::size_t cell, const FloorColumns::Place& from, int dx, int dz, Visit visit) const {
+    const double headroom = from.ceiling - from.top - columns_.body;
+    const double height = std::min(jump_, std::max(0.0, headroom));
+    const double gravity = std::max(settings_.gravity, 1e-3);
+    const double to_apex = std::sqrt(2.0 * height / gravity) * settings_.walk_speed;
+    auto column = static_cast<int>(cell % static_cast<std::size_t>(columns_.columns));
+    auto row = static_cast<int>(cell / static_cast<std::size_t>(columns_.columns));
+    for (std::size_t k = 1; k <= most_arc_cells; ++k) {
+        column += dx;
+        row += dz;
+        if (column < 0 || row < 0 || column >= columns_.columns || row >= columns_.rows) return;
+        const double beyond =
+            std::max(0.0, static_cast<double>(k - 1) * columns_.cell - to_apex) / settings_.walk_speed;
+        const double feet = from.top + height - 0.5 * gravity * beyond * beyond;
+        const std::size_t at = columns_.cell_at(column, row);
+        const auto places = columns_.places_in(at);
+        if (places.empty()) continue;
+        // The highest that is not above the feet.
+        std::size_t i = places.size();
+        while (i > 0 && places[i - 1].top > feet)
+            --i;
+        if (i == 0) return;
+        const FloorColumns::Place& place = places[i - 1];
+        const double low = std::max(place.top, std::min(feet, from.top));
+        if (place.ceiling - low < columns_.body) return;
+        if (place.floor) visit(columns_.first[at] + i - 1);
+        if (place.ceiling - feet < columns_.body && place.top > from.top) return;
+    }
+}
+
+void OpenFloor::connect() {
+    parent_.resize(columns_.places.size());
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    region_.assign(columns_.places.size(), no_id);
+    const auto each = [&](const auto& visit) {
+        for (int row = 0; row < columns_.rows; ++row)
+            for (int column = 0; column < columns_.columns; ++column) {
+                const std::size_t at = columns_.cell_at(column, row);
+                for (std::size_t i = columns_.first[at]; i < columns_.first[at + 1]; ++i)
+                    if (columns_.places[i].floor) visit(column, row, at, i);
+            }
+    };
+    const auto neighbour = [&](int column, int row, const std::array<int, 2>& side) -> std::optional<std::size_t> {
+        const int x = column + side[0], z = row + side[1];
+        if (x < 0 || z < 0 || x >= columns_.columns || z >= columns_.rows) return std::nullopt;
+        return columns_.cell_at(x, z);
+    };
+    each([&](int column, int row, std::size_t, std::size_t i) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            const auto to = neighbour(column, row, sides[side]);
+            if (!to) continue;
+            for (std::size_t k = columns_.first[*to]; k < columns_.first[*to + 1]; ++k) {
+                if (!walks(columns_.places[i], columns_.places[k])) continue;
+                const std::size_t a = root(i), b = root(k);
+                parent_[std::max(a, b)] = std::min(a, b);
+            }
+        }
+    });
+    for (std::size_t i = 0; i < columns_.places.size(); ++i) {
+        if (!columns_.places[i].floor) continue;
+        if (const std::size_t top = root(i); top == i) {
+            region_[i] = static_cast<std::uint32_t>(regions_.size());
+            regions_.emplace_back();
+        } else {
+            region_[i] = region_[top];
+        }
+    }
+    each([&](int column, int row, std::size_t at, std::size_t i) {
+        for (const auto& side : sides) {
+            const auto to = neighbour(column, row, side);
+            if (!to) continue;
+            bool walked = false;
+            for (std::size_t k = columns_.first[*to]; k < columns_.first[*to + 1]; ++k)
+                walked = walked || walks(columns_.places[i], columns_.places[k]);
+            if (walked) continue;
+            arcs(at, columns_.places[i], side[0], side[1], [&](std::size_t k) {
+                if (region_[k] != region_[i]) ways_.emplace_back(region_[i], region_[k]);
+            });
+        }
+    });
+    std::sort(ways_.begin(), ways_.end());
+    ways_.erase(std::unique(ways_.begin(), ways_.end()), ways_.end());
+}
+
+std::uint32_t OpenFloor::region_near(std::size_t cell, double y) const {
+    const auto in_cell = [&](std::size_t at) {
+        for (std::size_t i = columns_.first[at]; i < columns_.first[at + 1]; ++i) {
+            const FloorColumns::Place& place = columns_.places[i];
+            if (place.floor && std::abs(place.top - y) <= step_ + place.rise) return region_[i];
+        }
+        return no_id;
+    };
+    if (const std::uint32_t region = in_cell(cell); region != no_id) return region;
+    const auto columns = static_cast<std::size_t>(columns_.columns);
+    const auto column = static_cast<int>(cell % columns), row = static_cast<int>(cell / columns);
+    for (const auto& [dx, dz] : sides) {
+        const int x = column + dx, z = row + dz;
+        if (x < 0 || z < 0 || x >= columns_.columns || z >= columns_.rows) continue;
+        if (const std::uint32_t region = in_cell(columns_.cell_at(x, z)); region != no_id) return region;
+    }
+    return no_id;
+}
+
+// Floor beside a wall, where no whole cell is free, counts for the region beside it.
+void OpenFloor::attribute() {
+    for (std::size_t i = 0; i < columns_.standings.size(); ++i) {
+        const FloorColumns::Standing& standing = columns_.standings[i];
+        const std::uint32_t at = region_near(standing.cell, standing.y);
+        if (at == no_id) continue;
+        Region& region = regions_[at];
+        ++region.cells;
+        region.front += standing.front ? 1 : 0;
+        region.inside += std::min(standing.from_above, standing.from_below) >= 1 ? 1 : 0;
+        region.inverted += std::max(standing.from_above, standing.from_below) <= -1 ? 1 : 0;
+        Spot spot{i, at, 0};
+        const auto columns = static_cast<std::size_t>(columns_.columns);
+        const auto column = static_cast<int>(standing.cell % columns),
+                   row = static_cast<int>(standing.cell / columns);
+        for (const auto& [dx, dz] : sides) {
+            const int x = column + dx, z = row + dz;
+            if (x < 0 || z < 0 || x >= columns_.columns || z >= columns_.rows) continue;
+            const std::size_t to = columns_.cell_at(x, z);
+            for (std::size_t k = columns_.first[to]; k < columns_.first[to + 1]; ++k)
+                spot.links += region_[k] == at && std::abs(columns_.places[k].top - standing.y) <=
+                                                      step_ + columns_.places[k].rise
+                                  ? 1
+                                  : 0;
+        }
+        spots_.push_back(spot);
+    }
+}
+
+void OpenFloor::judge() {
+    const double area = columns_.cell * columns_.cell;
+    std::vector<std::uint32_t> order(regions_.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return regions_[a].cells > regions_[b].cells;
+    });
+    order.resize(std::min(order.size(), most_searched));
+    std::vector<std::uint32_t> seen(regions_.size(), no_id), open;
+    std::size_t followed = 0;
+    for (const std::uint32_t from : order) {
+        if (regions_[from].cells == 0 || followed > most_ways) break;
+        open.assign(1, from);
+        seen[from] = from;
+        std::size_t cells = 0;
+        while (!open.empty()) {
+            const std::uint32_t at = open.back();
+            open.pop_back();
+            cells += regions_[at].cells;
+            for (auto way = std::lower_bound(ways_.begin(), ways_.end(), std::pair(at, 0u));
+                 way != ways_.end() && way->first == at; ++way, ++followed) {
+                if (seen[way->second] == from) continue;
+                seen[way->second] = from;
+                open.push_back(way->second);
+            }
+        }
+        regions_[from].reached = static_cast<double>(cells) * area;
+    }
+    // As the faces are wound, and if that gives less than half as much, wound the other way round throughout.
+    double best[2] = {0.0, 0.0};
+    const auto fits_reading = [](const Region& region, bool backs) {
+        const bool front = 2 * region.front >= region.cells;
+        const bool solid = 2 * region.inside > region.cells, inverted = 2 * region.inverted > region.cells;
+        return backs ? !front && !solid && !inverted : front && !solid;
+    };
+    for (const Region& region : regions_)
+        for (const bool backs : {false, true})
+            if (fits_reading(region, backs)) best[backs ? 1 : 0] = std::max(best[backs ? 1 : 0], region.reached);
+    const bool backs = best[0] < 0.5 * best[1];
+    const double most = best[backs ? 1 : 0];
+    const double smallest = settings_.radii.x() * settings_.radii.z();
+    for (Region& region : regions_) {
+        region.solid = 2 * (backs ? region.inverted : region.inside) > region.cells;
+        region.candidate = fits_reading(region, backs);
+        region.good = region.candidate && region.reached >= nearly_all * most && region.reached >= smallest;
+    }
+}
+
+// The place whose room holds the centre.
+std::optional<std::size_t> OpenFloor::place_below(const Vec3& centre) const {
+    if (columns_.places.empty()) return std::nullopt;
+    const double x = (centre.x() - columns_.origin.x()) / columns_.cell;
+    const double z = (centre.z() - columns_.origin.y()) / columns_.cell;
+    if (!(x >= 0 && z >= 0 && x < columns_.columns && z < columns_.rows)) return std::nullopt;
+    const std::size_t at = columns_.cell_at(static_cast<int>(x), static_cast<int>(z));
+    std::optional<std::size_t> found;
+    for (std::size_t i = columns_.first[at]; i < columns_.first[at + 1]; ++i)
+        if (columns_.places[i].top <= centre.y() && centre.y() <= columns_.places[i].ceiling) found = i;
+    return found;
+}
+
+bool OpenFloor::is_good(const Vec3& centre) const {
+    const auto place = place_below(centre);
+    return place && region_[*place] != no_id && regions_[region_[*place]].good;
+}
+
+bool OpenFloor::in_solid(const Vec3& centre) const {
+    const auto place = place_below(centre);
+    return place && region_[*place] != no_id && regions_[region_[*place]].solid;
+}
+
+std::optional<Vec3> OpenFloor::stand_at(const FloorColumns::Standing& standing) const {
+    const auto [x, z] = columns_.middle(standing.cell);
+    // Above small bumps of the floor around the point.
+    const double lift = 0.25 * settings_.radii.y();
+    Vec3 point(x, standing.y, z), normal = Vec3::UnitY();
+    if (const auto hit = cast_ray(scene_.collision, point + Vec3(0, lift, 0), {0.0, -1.0, 0.0}, 2.0 * lift)) {
+        point = hit->point;
+        normal = hit->normal;
+    } else if (scene_.heightfield != nullptr && settings_.heightfield) {
+        if (const auto ground = terrain_at(*scene_.heightfield, x, z)) {
+            point.y() = ground->height;
+            normal = ground->normal;
+        }
+    }
+    if (normal.y() < std::cos(settings_.max_slope)) return std::nullopt;
+    const double standing_on = centre_on(Vec3::Zero(), normal, settings_).dot(normal) / normal.y();
+    const Vec3 above = point + Vec3(0.0, standing_on + lift, 0.0);
+    if (!has_room(scene_, settings_, settings_.radii, above)) return std::nullopt;
+    const auto landed = drop(scene_, settings_, above, 2.0 * lift + settings_.skin);
+    if (!landed || !fits(scene_, settings_, *landed)) return std::nullopt;
+    return landed;
+}
+
+std::optional<Vec3> OpenFloor::best(bool& all_tried) const {
+    // Of good floors the larger ones: a crate from which all is reached is a poor place to begin.
+    std::size_t largest = 0;
+    for (const Region& region : regions_)
+        if (region.good) largest = std::max(largest, region.cells);
+    const auto is_large = [&](const Spot& spot) {
+        return regions_[spot.region].good && 2 * regions_[spot.region].cells >= largest;
+    };
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Spot& spot : spots_)
+        if (is_large(spot)) lowest = std::min(lowest, columns_.standings[spot.standing].y);
+    struct Candidate {
+        bool open = false;
+        double cost = 0.0;
+        std::size_t standing = 0;
+        bool operator<(const Candidate& other) const {
+            if (open != other.open) return open;
+            return cost != other.cost ? cost < other.cost : standing < other.standing;
+        }
+    };
+    std::vector<Candidate> candidates;
+    const Vec3 middle = 0.5 * (columns_.bounds.min + columns_.bounds.max);
+    for (const Spot& spot : spots_) {
+        if (!is_large(spot)) continue;
+        const FloorColumns::Standing& standing = columns_.standings[spot.standing];
+        const auto [x, z] = columns_.middle(standing.cell);
+        const Vec3 away(x - middle.x(), height_weight * (standing.y - lowest), z - middle.z());
+        candidates.push_back({spot.links >= 4, away.squaredNorm(), spot.standing});
+    }
+    std::sort(candidates.begin(), candidates.end());
+    SearchEffort effort;
+    std::size_t tried = 0;
+    for (const Candidate& candidate : candidates) {
+        const FloorColumns::Standing& standing = columns_.standings[candidate.standing];
+        const auto [x, z] = columns_.middle(standing.cell);
+        const Vec3 at(x, standing.y + settings_.radii.y(), z);
+        const Vec3 reach = 1.5 * settings_.radii;
+        if (tried++ == most_stood_at || !effort.spend(crowd_in(scene_, {at - reach, at + reach}))) {
+            all_tried = false;
+            return std::nullopt;
+        }
+        if (const auto landed = stand_at(standing)) return landed;
     }
     return std::nullopt;
+}
+
+std::optional<Vec3> find_open_floor(const MovementScene& scene, const MovementSettings& settings,
+                                    bool* all_tried) {
+    bool all = true;
+    const auto floor = OpenFloor(scene, settings).best(all);
+    if (all_tried != nullptr) *all_tried = *all_tried && all;
+    return floor;
 }
 
 }  // namespace slipface
