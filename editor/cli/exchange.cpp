@@ -58,9 +58,9 @@ void add_export(CLI::App& app, int& exit_code) {
 void add_import(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "import",
-        "Import material rules from other programs, and set the scale and up axis of a level's geometry");
+        "Import material rules from other programs, and set scale, up axis and facing of a level's geometry");
     struct Words {
-        std::string level, up;
+        std::string level, up, flip;
         std::vector<std::string> rules;
         double scale = 1.0;
     };
@@ -74,12 +74,15 @@ void add_import(CLI::App& app, int& exit_code) {
                              ->check(CLI::Range(smallest_import_scale, largest_import_scale));
     verb->add_option("--up", words->up, "Upward axis of the geometry's file")
         ->check(CLI::IsMember(std::vector<std::string>(std::begin(up_axis_names), std::end(up_axis_names))));
+    verb->add_option("--flip", words->flip, "Whether all faces look the other way than in the file")
+        ->check(CLI::IsMember(std::vector<std::string>{"yes", "no"}));
     verb->callback([words, scale, &exit_code] {
         ImportVerbOptions options;
         options.level = path_of(words->level);
         for (const std::string& file : words->rules)
             options.rules.push_back(path_of(file));
         if (scale->count() > 0) options.scale = words->scale;
+        if (!words->flip.empty()) options.flip = words->flip == "yes";
         const auto* const up = std::find(std::begin(up_axis_names), std::end(up_axis_names), words->up);
         if (up != std::end(up_axis_names)) options.up = static_cast<UpAxis>(up - std::begin(up_axis_names));
         exit_code = run_import(options, std::cout, std::cerr);
@@ -117,6 +120,7 @@ int run_import(const ImportVerbOptions& options, std::ostream& out, std::ostream
     ImportTransform transform = loaded->level.import_transform;
     if (options.scale) transform.scale = options.scale;
     if (options.up) transform.up = options.up;
+    if (options.flip) transform.flip = *options.flip;
     if (transform != loaded->level.import_transform) {
         loaded = reload_mesh(loaded->level, transform);
         if (!loaded) return bad_input(err, loaded.error());

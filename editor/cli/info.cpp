@@ -11,6 +11,7 @@
 #include "slipface/image/image.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/level_file.h"
+#include "slipface/mesh/facing_doubt.h"
 #include "slipface/mesh/open_edges.h"
 #include "slipface/mesh/rig.h"
 #include "slipface/mesh/size_doubt.h"
@@ -184,6 +185,8 @@ void print_info_json(const LevelInfo& info, std::ostream& out) {
         json["import"]["up_doubt"] = doubt->text();
         json["import"]["better_up"] = up_axis_names[static_cast<std::size_t>(doubt->better_up)];
     }
+    json["import"]["flip"] = level.import_transform.flip;
+    if (const auto doubt = facing_doubt(mesh)) json["import"]["facing_doubt"] = doubt->text();
     json["spawns_in_file"] = OutputJson::array();
     for (const FoundSpawn& spawn : info.loaded.found_spawns)
         json["spawns_in_file"].push_back(
@@ -220,6 +223,13 @@ void print_import(const LevelInfo& info, std::ostream& out) {
               fmt::format("{} ({})", up_axis_names[static_cast<std::size_t>(read.up)],
                           assumed(read.up_from, read.up_reason)));
     if (const auto doubt = up_doubt(*level.mesh, read)) print_row(out, "", doubt->text());
+    const auto facing = facing_doubt(*level.mesh);
+    if (facing || level.import_transform.flip)
+        print_row(out, "faces", level.import_transform.flip ? "flipped (given)" : "as in the file");
+    if (facing)
+        print_row(out, "",
+                  fmt::format("{}; \"slipface import {}\" turns all faces", facing->text(),
+                              level.import_transform.flip ? "--flip no" : "--flip yes"));
     if (const std::size_t count = info.loaded.found_spawns.size(); count > 0)
         print_row(out, "spawns in file", std::to_string(count));
     print_row(out, "open edges", std::to_string(open_edge_count(*level.mesh)));

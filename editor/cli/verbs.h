@@ -130,6 +130,7 @@ struct ImportVerbOptions {
     std::vector<std::filesystem::path> rules;
     std::optional<double> scale;
     std::optional<UpAxis> up;
+    std::optional<bool> flip;
 };
 int run_import(const ImportVerbOptions& options, std::ostream& out, std::ostream& err);
 

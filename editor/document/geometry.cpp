@@ -65,7 +65,7 @@ Status Document::set_import_transform(const ImportTransform& transform, Progress
     Result<LoadedLevel> loaded = reload_mesh(level_, transform, progress);
     if (!loaded) return loaded.error();
     std::vector<Spawn> moved = all_spawns(loaded->level);
-    if (Status status = take_geometry(std::move(loaded).value(), "Change scale and up axis"); !status)
+    if (Status status = take_geometry(std::move(loaded).value(), "Change how the file is read"); !status)
         return status;
     if (moved == all_spawns(level_)) return {};
     // The spawns move in the same step.

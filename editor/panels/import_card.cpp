@@ -101,6 +101,21 @@ void axis_rows(Editor& editor, float value_at) {
     change_import(editor, transform);
 }
 
+// Only where the faces are doubted or flipped: to flip others has no use.
+void facing_rows(Editor& editor, float value_at) {
+    ImportTransform transform = editor.document->level().import_transform;
+    const std::optional<FacingDoubt>& doubt = editor.import_card.facing_doubt;
+    if (!doubt && !transform.flip) return;
+    row("Faces", value_at);
+    ImGui::TextUnformatted(transform.flip ? "Flipped" : "As in the file");
+    if (doubt) doubted("Seem to look the wrong way", value_at);
+    const std::string tip = doubt ? doubt->text() : "Let the faces look as they do in the file";
+    if (!doubt) ImGui::SetCursorPosX(value_at);
+    if (!ui::button(transform.flip ? "Flip back" : "Flip", tip.c_str())) return;
+    transform.flip = !transform.flip;
+    change_import(editor, transform);
+}
+
 void size_rows(Editor& editor, float value_at) {
     const ImportSummary& summary = editor.document->level().import_summary;
     row("Size", value_at);
@@ -167,6 +182,7 @@ float import_card(Editor& editor, const ImVec2& min, const ImVec2& size) {
     size_rows(editor, value_at);
     scale_rows(editor, value_at);
     axis_rows(editor, value_at);
+    facing_rows(editor, value_at);
     spawn_rows(editor, value_at);
     row("Open edges", value_at);
     ImGui::TextUnformatted(editor.import_card.open_edges == 0
@@ -185,7 +201,7 @@ float import_card(Editor& editor, const ImVec2& min, const ImVec2& size) {
     }
     ImGui::Dummy({1, 2 * scale});
     const bool given = editor.document->level().import_transform != ImportTransform{};
-    if (ui::button("Use the file's values", "Remove the scale and axis set here", given))
+    if (ui::button("Use the file's values", "Remove the scale, axis and facing set here", given))
         change_import(editor, {});
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 100 * scale);  // left of the scroll bar, if there is one
     if (ui::primary_button("Done", true, {100 * scale, 0})) close_import_card(editor);

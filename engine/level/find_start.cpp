@@ -199,10 +199,12 @@ class StartFinder {
         if (floor) {
             start.position = *floor - offset_;
             start.yaw = open_yaw(scene_, *floor);
-            start.note = why + "; the player begins on open floor near the middle of the level";
+            start.note = why + "; the player begins on open floor, with most of the level within reach";
             const auto below = cast_ray(scene_.collision, *floor, {0.0, -1.0, 0.0});
             if (below && below->back_face)
-                start.note += ". Its faces look down: the level is upside down or inside out";
+                start.note +=
+                    ". Its faces look down: the level is upside down or inside out; import it with "
+                    "another axis or flipped";
         } else {
             start.stands = false;
             start.note = why + ", and there is no floor with room for the player: the player falls";

@@ -206,14 +206,14 @@ class Columns {
                 if (q->z() < p->z()) std::swap(p, q);
                 if (!(p->z() <= z && z < q->z()) || cuts == 2) continue;
                 const double t = (z - p->z()) / (q->z() - p->z());
-                cut[cuts++] =
-                    Vec2(p->x() + t * (q->x() - p->x()), p->y() + t * (q->y() - p->y()));
+                cut[cuts++] = Vec2(p->x() + t * (q->x() - p->x()), p->y() + t * (q->y() - p->y()));
             }
             if (cuts < 2) continue;
             if (cut[1].x() < cut[0].x()) std::swap(cut[0], cut[1]);
             const double width = cut[1].x() - cut[0].x();
             const double from = (cut[0].x() - out_.origin.x()) / out_.cell - 0.5;
-            for (int column = std::max(0, static_cast<int>(std::floor(from))); column < out_.columns; ++column) {
+            for (int column = std::max(0, static_cast<int>(std::floor(from))); column < out_.columns;
+                 ++column) {
                 const double x = out_.origin.x() + (column + 0.5) * out_.cell;
                 if (x < cut[0].x()) continue;
                 if (x >= cut[1].x()) break;

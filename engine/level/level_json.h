@@ -4,6 +4,7 @@
 //   "slipface": 1,                                  (2 if a surface type has a friction other than 1)
 //   "mesh": "easy.obj",
 //   "scale": 0.01, "up": "z",    (*) metres per unit of the file, upward axis
+//   "flip": true,                (*) the faces look the other way than in the file
 //   "spawn": {"name": "start", "position": [0, 1, 0], "yaw": 0},    (*) without a name: "start"
 //   "spawns": [{"name": "roof", "position": [...], "yaw": 0}],      (*) further ones
 //   "fall_limit": -20,                                              (*)

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double nearly_all = 0.7;  // of what is reached from the best start
 constexpr double height_weight = 2.0;
-constexpr double sure_jump = 0.9;            // of the highest jump
-constexpr std::size_t most_arc_cells = 16;   // of a jump, along its direction
-constexpr std::size_t most_searched = 64;    // regions from which everything reached is counted
+constexpr double sure_jump = 0.9;             // of the highest jump
+constexpr std::size_t most_arc_cells = 16;    // of a jump, along its direction
+constexpr std::size_t most_searched = 64;     // regions from which everything reached is counted
 constexpr std::size_t most_ways = 2'000'000;  // followed for that
 constexpr std::size_t most_stood_at = 400;
 constexpr std::array<std::array<int, 2>, 4> sides{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
@@ -89,7 +89,8 @@ void OpenFloor::connect() {
                     if (columns_.places[i].floor) visit(column, row, at, i);
             }
     };
-    const auto neighbour = [&](int column, int row, const std::array<int, 2>& side) -> std::optional<std::size_t> {
+    const auto neighbour = [&](int column, int row,
+                               const std::array<int, 2>& side) -> std::optional<std::size_t> {
         const int x = column + side[0], z = row + side[1];
         if (x < 0 || z < 0 || x >= columns_.columns || z >= columns_.rows) return std::nullopt;
         return columns_.cell_at(x, z);
@@ -183,9 +184,8 @@ void OpenFloor::judge() {
     const double area = columns_.cell * columns_.cell;
     std::vector<std::uint32_t> order(regions_.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return regions_[a].cells > regions_[b].cells;
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return regions_[a].cells > regions_[b].cells; });
     order.resize(std::min(order.size(), most_searched));
     std::vector<std::uint32_t> seen(regions_.size(), no_id), open;
     std::size_t followed = 0;
@@ -216,7 +216,8 @@ void OpenFloor::judge() {
     };
     for (const Region& region : regions_)
         for (const bool backs : {false, true})
-            if (fits_reading(region, backs)) best[backs ? 1 : 0] = std::max(best[backs ? 1 : 0], region.reached);
+            if (fits_reading(region, backs))
+                best[backs ? 1 : 0] = std::max(best[backs ? 1 : 0], region.reached);
     const bool backs = best[0] < 0.5 * best[1];
     const double most = best[backs ? 1 : 0];
     const double smallest = settings_.radii.x() * settings_.radii.z();
@@ -227,27 +228,34 @@ void OpenFloor::judge() {
     }
 }
 
-// The place whose room holds the centre.
-std::optional<std::size_t> OpenFloor::place_below(const Vec3& centre) const {
-    if (columns_.places.empty()) return std::nullopt;
-    const double x = (centre.x() - columns_.origin.x()) / columns_.cell;
-    const double z = (centre.z() - columns_.origin.y()) / columns_.cell;
-    if (!(x >= 0 && z >= 0 && x < columns_.columns && z < columns_.rows)) return std::nullopt;
+// The region in whose room the centre is, in the cell moved by (dx, dz); null: none.
+const OpenFloor::Region* OpenFloor::region_around(const Vec3& centre, int dx, int dz) const {
+    if (columns_.places.empty()) return nullptr;
+    const double x = (centre.x() - columns_.origin.x()) / columns_.cell + dx;
+    const double z = (centre.z() - columns_.origin.y()) / columns_.cell + dz;
+    if (!(x >= 0 && z >= 0 && x < columns_.columns && z < columns_.rows)) return nullptr;
     const std::size_t at = columns_.cell_at(static_cast<int>(x), static_cast<int>(z));
-    std::optional<std::size_t> found;
-    for (std::size_t i = columns_.first[at]; i < columns_.first[at + 1]; ++i)
-        if (columns_.places[i].top <= centre.y() && centre.y() <= columns_.places[i].ceiling) found = i;
-    return found;
+    for (std::size_t i = columns_.first[at]; i < columns_.first[at + 1]; ++i) {
+        const FloorColumns::Place& place = columns_.places[i];
+        if (place.top <= centre.y() && centre.y() <= place.ceiling)
+            return region_[i] == no_id ? nullptr : &regions_[region_[i]];
+    }
+    return nullptr;
 }
 
 bool OpenFloor::is_good(const Vec3& centre) const {
-    const auto place = place_below(centre);
-    return place && region_[*place] != no_id && regions_[region_[*place]].good;
+    const auto good = [&](int dx, int dz) {
+        const Region* region = region_around(centre, dx, dz);
+        return region != nullptr && region->good;
+    };
+    // Beside a wall the cell itself has no place.
+    return good(0, 0) ||
+           std::any_of(sides.begin(), sides.end(), [&](const auto& side) { return good(side[0], side[1]); });
 }
 
 bool OpenFloor::in_solid(const Vec3& centre) const {
-    const auto place = place_below(centre);
-    return place && region_[*place] != no_id && regions_[region_[*place]].solid;
+    const Region* region = region_around(centre, 0, 0);
+    return region != nullptr && region->solid;
 }
 
 std::optional<Vec3> OpenFloor::stand_at(const FloorColumns::Standing& standing) const {

@@ -13,12 +13,13 @@ class OpenFloor {
     // `scene` and `settings` must outlive it.
     OpenFloor(const MovementScene& scene, const MovementSettings& settings);
 
-    // Whether a player there is in no solid, and reaches nearly as much from the floor below as from anywhere.
+    // Whether a player there is in no solid, and reaches nearly as much from the floor below as from
+    // anywhere.
     bool is_good(const Vec3& centre) const;
     // Whether the floor below belongs to the inside of a solid.
     bool in_solid(const Vec3& centre) const;
-    // The best place; nothing: no floor has room. `all_tried` becomes false if there were too many triangles to
-    // look at all places.
+    // The best place; nothing: no floor has room. `all_tried` becomes false if there were too many triangles
+    // to look at all places.
     std::optional<Vec3> best(bool& all_tried) const;
 
   private:
@@ -40,7 +41,7 @@ class OpenFloor {
     void attribute();
     void judge();
     std::size_t root(std::size_t i);
-    std::optional<std::size_t> place_below(const Vec3& centre) const;
+    const Region* region_around(const Vec3& centre, int dx, int dz) const;
     std::uint32_t region_near(std::size_t cell, double y) const;
     template <class Visit>
     void arcs(std::size_t cell, const FloorColumns::Place& from, int dx, int dz, Visit visit) const;
@@ -50,9 +51,9 @@ class OpenFloor {
     const MovementScene& scene_;
     const MovementSettings& settings_;
     FloorColumns columns_;
-    double step_ = 0.0, jump_ = 0.0;          // metres
-    std::vector<std::size_t> parent_;         // [place]
-    std::vector<std::uint32_t> region_;       // [place] index into regions_, or no_id
+    double step_ = 0.0, jump_ = 0.0;     // metres
+    std::vector<std::size_t> parent_;    // [place]
+    std::vector<std::uint32_t> region_;  // [place] index into regions_, or no_id
     std::vector<Region> regions_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ways_;  // from a region to another, ascending
     std::vector<Spot> spots_;

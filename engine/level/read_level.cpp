@@ -25,6 +25,7 @@ constexpr double pi = 3.141592653589793;
 
 void read_transform(const JsonNode& root, ImportTransform& transform) {
     root["scale"].number(smallest_import_scale, largest_import_scale, transform.scale);
+    root["flip"].boolean(transform.flip);
     std::string up;
     const JsonNode axis = root["up"];
     if (!axis.text(up)) return;

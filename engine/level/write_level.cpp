@@ -297,6 +297,7 @@ std::string level_text(const Level& level, const std::filesystem::path& file_pat
     if (const auto& scale = level.import_transform.scale) json_add(root, "scale", json_number(*scale));
     if (const auto& up = level.import_transform.up)
         json_add(root, "up", json_string(up_axis_names[static_cast<std::size_t>(*up)]));
+    if (level.import_transform.flip) json_add(root, "flip", json_bool(true));
 
     append_spawns(root, level, unknown);
 

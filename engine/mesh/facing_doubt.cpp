@@ -111,8 +111,8 @@ bool is_room(const Shell& shell, const std::vector<Shell>& shells) {
         area += other.area;
         volume -= other.volume;
     }
-    return shell.bounds.max.y() - shell.bounds.min.y() >= least_height && 2.0 * volume >= least_width * area &&
-           2.0 * held >= others;
+    return shell.bounds.max.y() - shell.bounds.min.y() >= least_height &&
+           2.0 * volume >= least_width * area && 2.0 * held >= others;
 }
 
 }  // namespace
@@ -124,9 +124,8 @@ std::string FacingDoubt::text() const {
 std::optional<FacingDoubt> facing_doubt(const Mesh& mesh) {
     std::vector<Shell> shells = shells_of(mesh);
     // The largest first: what holds a shell comes before it.
-    std::stable_sort(shells.begin(), shells.end(), [](const Shell& a, const Shell& b) {
-        return std::abs(a.volume) > std::abs(b.volume);
-    });
+    std::stable_sort(shells.begin(), shells.end(),
+                     [](const Shell& a, const Shell& b) { return std::abs(a.volume) > std::abs(b.volume); });
     constexpr std::size_t most_compared = 1000;  // with the shells that may hold them
     double judged = 0.0, wrong = 0.0;
     for (std::size_t i = 0; i < shells.size(); ++i) {

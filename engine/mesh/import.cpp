@@ -81,6 +81,18 @@ ImportSummary transform(ImportedSoup& imported, const ImportTransform& how) {
     return summary;
 }
 
+// Reads the corners of every face backwards, from the same first one.
+void flip_faces(PolygonSoup& soup) {
+    const auto turn = [&](auto& corners) {
+        for (std::size_t face = 0; !corners.empty() && face + 1 < soup.face_first_corner.size(); ++face)
+            std::reverse(corners.begin() + soup.face_first_corner[face] + 1,
+                         corners.begin() + soup.face_first_corner[face + 1]);
+    };
+    turn(soup.corner_position);
+    turn(soup.corner_vertex);
+    turn(soup.corner_uv);
+}
+
 Status check_transform(const std::filesystem::path& path, const ImportTransform& how) {
     if (!how.scale || (*how.scale >= smallest_import_scale && *how.scale <= largest_import_scale)) return {};
     return Error{path.string(), fmt::format("a scale of {} is out of range; expected {} to {}", *how.scale,
@@ -108,6 +120,7 @@ Result<ImportedMesh> read_mesh(const std::filesystem::path& path, const ImportOp
     if (!read) return read.error();
     begin_stage(options.progress, "Cutting faces into triangles", 0.8, 1.0);
     imported.summary = transform(*read, options.transform);
+    if (options.transform.flip) flip_faces(read->soup);
     auto mesh = build_mesh(std::move(read->soup));
     if (!mesh) return Error{path.string(), mesh.error().message};
     if (cancelled(options.progress)) return cancelled_error(path);

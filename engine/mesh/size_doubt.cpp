@@ -10,6 +10,7 @@ namespace slipface {
 namespace {
 
 constexpr double smallest_level = 2.0, largest_level = 4000.0, usual_level = 60.0;  // metres
+constexpr double highest_level = 400.0;                                             // metres
 constexpr double large_level = 100.0, large_edge = 8.0;                             // metres
 // Millimetre, centimetre, inch, Quake unit, foot, metre, and the inverses of those that may be mistaken for
 // metres.
@@ -43,8 +44,8 @@ std::optional<SizeDoubt> size_doubt(const Mesh& mesh, const ImportSummary& summa
     SizeDoubt doubt;
     doubt.extent = summary.size.maxCoeff();
     if (!(doubt.extent > 0)) return std::nullopt;
-    doubt.too_large =
-        doubt.extent > largest_level || (doubt.extent > large_level && short_edge(mesh) > large_edge);
+    doubt.too_large = doubt.extent > largest_level || summary.size.y() > highest_level ||
+                      (doubt.extent > large_level && short_edge(mesh) > large_edge);
     if (!doubt.too_large && !(doubt.extent < smallest_level)) return std::nullopt;
     const double in_file_units = doubt.extent / summary.scale;
     const auto* const best = std::min_element(std::begin(units), std::end(units), [&](double a, double b) {

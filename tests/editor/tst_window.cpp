@@ -144,6 +144,20 @@ TEST_F(WindowTest, TheImportCardTurnsALevelUpright) {
     EXPECT_NEAR(document().level().import_summary.size.y(), 30.0, 1e-6);
 }
 
+TEST_F(WindowTest, TheImportCardFlipsALevelThatIsInsideOut) {
+    const std::filesystem::path inverted = folder / "inverted.obj";  // a slab, seen from within
+    std::ofstream(inverted)
+        << "v 0 0 0\nv 20 0 0\nv 20 0 30\nv 0 0 30\nv 0 1 0\nv 20 1 0\nv 20 1 30\nv 0 1 30\n"
+           "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+    ASSERT_EQ(run("open " + inverted.string() + "\nwait 2\nclick \"Viewport/Import/Flip\"\nwait 2"), "");
+    EXPECT_TRUE(document().level().import_transform.flip);
+    EXPECT_NEAR(face_normal(*document().level().mesh, 1).y(), 1.0, 1e-6);
+    EXPECT_FALSE(editor().import_card.facing_doubt);
+    ASSERT_EQ(run("click \"Viewport/Import/Flip back\"\nwait 2"), "");
+    EXPECT_FALSE(document().level().import_transform.flip);
+    EXPECT_TRUE(editor().import_card.facing_doubt);
+}
+
 TEST_F(WindowTest, TheSelectionsTintIsNotSeenWhileWalking) {
     ASSERT_EQ(run("select faces 3-9\ncommand playtest.start"), "");
     for (const std::uint8_t flags : face_highlights(editor(), document().face_count()).own)

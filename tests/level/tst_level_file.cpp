@@ -254,5 +254,24 @@ TEST_F(LevelFile, AGivenScaleAndAxisAreKept) {
     EXPECT_FALSE(reload_mesh(loaded.level, {.scale = 0.0, .up = {}}));
 }
 
+TEST_F(LevelFile, FlippedFacesLookTheOtherWayAndKeepTheirPaint) {
+    LoadedLevel loaded = load("easy.obj");
+    for (std::size_t face = 0; face < loaded.level.overrides.size(); face += 3)
+        loaded.level.overrides[face] = SurfaceId{1};
+    auto flipped = reload_mesh(loaded.level, {.scale = {}, .up = {}, .flip = true});
+    ASSERT_TRUE(flipped) << flipped.error().text();
+    ASSERT_TRUE(save_level(flipped->level));
+    EXPECT_THAT(read("easy.slipface.json"), HasSubstr("\"flip\": true"));
+    const LoadedLevel again = load("easy.obj");
+    EXPECT_TRUE(again.level.import_transform.flip);
+    EXPECT_EQ(again.level.overrides, loaded.level.overrides);
+    for (FaceId face = 0; face < loaded.level.mesh.face_count(); face += 17)
+        EXPECT_LT((face_normal(*again.level.mesh, face) + face_normal(*loaded.level.mesh, face)).norm(), 1e-6)
+            << face;
+    auto back = reload_mesh(again.level, {});
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->level.mesh->fingerprint, loaded.level.mesh->fingerprint);
+}
+
 }  // namespace
 }  // namespace slipface::test

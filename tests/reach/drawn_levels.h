@@ -1,5 +1,5 @@
-// Levels without a spawn, drawn from seeds, and the places where a player could begin: what the first Play has
-// to choose from. Half of the kinds are thick graybox solids.
+// Levels without a spawn, drawn from seeds, and the places where a player could begin: what the first Play
+// has to choose from. Half of the kinds are thick graybox solids.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct DrawnLevel {
 // Draws geometry in metres with its lower left corner at 0; done() moves it.
 class LevelDrawer {
   public:
-    explicit LevelDrawer(std::uint64_t seed) : random_(seed) {}
+    explicit LevelDrawer(std::uint64_t seed, bool inverted = false) : random_(seed), inverted_(inverted) {}
 
     double in(double low, double high) {
         return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
@@ -144,8 +144,10 @@ class LevelDrawer {
     // `about`: what comes to lie at the level's origin.
     DrawnLevel done(std::string_view kind, bool thick, const Vec3& about) {
         Shapes shapes;
-        for (const Quad& q : quads_)
+        for (Quad& q : quads_) {
+            if (inverted_) std::reverse(q.begin(), q.end());
             shapes.polygon({q[0] - about, q[1] - about, q[2] - about, q[3] - about});
+        }
         DrawnLevel drawn{kind, thick, shapes.level(), {}};
         drawn.level.spawn_is_set = false;
         drawn.level.spawn = Vec3::Zero();
@@ -153,7 +155,8 @@ class LevelDrawer {
         drawn.solid = [solids = solids_, room = room_, about](const Vec3& p) {
             const Vec3 at = p + about;
             if (!room.low.isApprox(room.high) && !room.contains(at)) return true;
-            return std::any_of(solids.begin(), solids.end(), [&](const Box& box) { return box.contains(at); });
+            return std::any_of(solids.begin(), solids.end(),
+                               [&](const Box& box) { return box.contains(at); });
         };
         return drawn;
     }
@@ -175,6 +178,7 @@ class LevelDrawer {
 
   private:
     std::mt19937_64 random_;
+    bool inverted_ = false;
     std::vector<Quad> quads_;
     std::vector<Box> solids_;
     Box room_;
@@ -207,7 +211,8 @@ inline DrawnLevel towers(LevelDrawer& draw) {
 // Rooms of thick walls with doors, with a roof or without, on a floor that may go on outside.
 inline DrawnLevel thick_rooms(LevelDrawer& draw) {
     const int nx = draw.count(1, 4), nz = draw.count(1, 4);
-    const double room = draw.in(4, 10), wall = draw.in(0.2, 1), height = draw.in(2.6, 5), thick = draw.in(0.2, 2);
+    const double room = draw.in(4, 10), wall = draw.in(0.2, 1), height = draw.in(2.6, 5),
+                 thick = draw.in(0.2, 2);
     const double yard = draw.chance(0.4) ? draw.in(2, 15) : 0.0, pitch = room + wall;
     const bool outer_door = draw.chance(0.5);
     const double x1 = nx * pitch + wall, z1 = nz * pitch + wall;
@@ -215,7 +220,8 @@ inline DrawnLevel thick_rooms(LevelDrawer& draw) {
     const auto wall_along = [&](bool along_x, double at, double from, bool door) {
         const auto part = [&](double a, double b, double low, double high) {
             if (b - a < 1e-3) return;
-            along_x ? draw.solid({a, low, at}, {b, high, at + wall}) : draw.solid({at, low, a}, {at + wall, high, b});
+            along_x ? draw.solid({a, low, at}, {b, high, at + wall})
+                    : draw.solid({at, low, a}, {at + wall, high, b});
         };
         const double end = from + pitch;
         if (!door) return part(from, end, 0, height);
@@ -227,7 +233,8 @@ inline DrawnLevel thick_rooms(LevelDrawer& draw) {
     const int door_at = draw.count(0, nx - 1);
     for (int k = 0; k <= nz; ++k)
         for (int i = 0; i < nx; ++i)
-            wall_along(true, k * pitch, i * pitch, (k > 0 && k < nz) || (outer_door && k == 0 && i == door_at));
+            wall_along(true, k * pitch, i * pitch,
+                       (k > 0 && k < nz) || (outer_door && k == 0 && i == door_at));
     for (int i = 0; i <= nx; ++i)
         for (int k = 0; k < nz; ++k)
             wall_along(false, i * pitch, k * pitch, i > 0 && i < nx);
@@ -404,16 +411,17 @@ inline DrawnLevel thin_islands(LevelDrawer& draw) {
 }
 
 using DrawLevel = DrawnLevel (*)(LevelDrawer&);
-inline constexpr std::array<DrawLevel, 8> thick_kinds{cube_floor, towers, thick_rooms, cave,
-                                                      storeys,    islands, hall,       terraces};
-inline constexpr std::array<DrawLevel, 6> thin_kinds{planes,       inward_room,  inward_halls,
-                                                     hills,        thin_storeys, thin_islands};
+inline constexpr std::array<DrawLevel, 8> thick_kinds{cube_floor, towers,  thick_rooms, cave,
+                                                      storeys,    islands, hall,        terraces};
+inline constexpr std::array<DrawLevel, 6> thin_kinds{planes, inward_room,  inward_halls,
+                                                     hills,  thin_storeys, thin_islands};
 
-// Even seeds are thick solids.
-inline DrawnLevel drawn_level(std::uint64_t seed) {
-    LevelDrawer draw(seed * 0x9e3779b97f4a7c15u + 1);
+// Even seeds are thick solids. `inverted`: all faces look the other way.
+inline DrawnLevel drawn_level(std::uint64_t seed, bool inverted = false) {
+    LevelDrawer draw(seed * 0x9e3779b97f4a7c15u + 1, inverted);
     const std::size_t i = seed / 2;
-    return seed % 2 == 0 ? thick_kinds[i % thick_kinds.size()](draw) : thin_kinds[i % thin_kinds.size()](draw);
+    return seed % 2 == 0 ? thick_kinds[i % thick_kinds.size()](draw)
+                         : thin_kinds[i % thin_kinds.size()](draw);
 }
 
 // Square metres of ground on which a search from `start` stood, and where they lie.

@@ -45,6 +45,6 @@ int main(int argc, char** argv) {
     rows["all"] = all;
     fmt::print("| levels | drawn | right | in a solid | nowhere | least |\n|---|---:|---:|---:|---:|---:|\n");
     for (const auto& [name, row] : rows)
-        fmt::print("| {} | {} | {} | {} | {} | {:.0f} % |\n", name, row.levels, row.right, row.in_solid, row.none,
-                   100.0 * row.least);
+        fmt::print("| {} | {} | {} | {} | {} | {:.0f} % |\n", name, row.levels, row.right, row.in_solid,
+                   row.none, 100.0 * row.least);
 }

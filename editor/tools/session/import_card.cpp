@@ -47,6 +47,7 @@ void refresh_import_card(Editor& editor) {
     card.open_edges = open_edge_count(*level.mesh);
     card.size_doubt = size_doubt(*level.mesh, level.import_summary);
     card.up_doubt = up_doubt(*level.mesh, level.import_summary);
+    card.facing_doubt = facing_doubt(*level.mesh);
     card.scale_text = fmt::format("{:.9g}", level.import_summary.scale);
     card.problem.clear();
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "slipface/mesh/facing_doubt.h"
 #include "slipface/mesh/size_doubt.h"
 #include "slipface/mesh/up_doubt.h"
 
@@ -21,6 +22,7 @@ struct ImportCard {
     std::size_t open_edges = 0;
     std::optional<SizeDoubt> size_doubt;
     std::optional<UpDoubt> up_doubt;
+    std::optional<FacingDoubt> facing_doubt;
 };
 
 // Called for each opened level. Shows the card if the level has no level file and the card was never closed
@@ -29,7 +31,7 @@ void offer_import_card(Editor& editor);
 void toggle_import_card(Editor& editor);
 void close_import_card(Editor& editor);    // permanently: stored in the preferences
 void refresh_import_card(Editor& editor);  // computes its facts again if the mesh changed
-// Reads the geometry with another scale or axis, as one step; an error becomes the card's `problem`.
+// Reads the geometry with another scale, axis or facing, as one step; an error becomes the card's `problem`.
 void change_import(Editor& editor, const ImportTransform& transform);
 // The scale as typed; anything but a number above 0 becomes a `problem`.
 void change_import_scale(Editor& editor, std::string_view text);

@@ -152,6 +152,14 @@ SceneFrame scene_frame(const aiScene& scene, const std::string& extension, std::
         return {frame_of(1.0, guessed, name + " files have no unit: metres", UpAxis::z, guessed,
                          name + " files have Z up as a rule")};
     }
+    // The axes of these formats are fixed, as glTF's are.
+    if (const std::string name = extension == "ac"    ? "AC3D"
+                                 : extension == "lwo" ? "LightWave"
+                                 : extension == "x"   ? "DirectX X"
+                                                      : "";
+        !name.empty())
+        return {frame_of(1.0, guessed, name + " files have no unit: metres", UpAxis::y, declared,
+                         name + " has Y up")};
     return {};
 }
 

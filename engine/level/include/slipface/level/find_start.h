@@ -35,8 +35,8 @@ struct Start {
 //   the player's height, or pushed out sideways, whichever is the shorter displacement.
 // - A spawn with nothing below it and no ladder or sticky surface around it, or with no room near it, is
 //   replaced by open floor (find_open_floor()). In a level with platforms it may have nothing below it.
-// - A level without spawns starts at its origin, if that can be made to fit and has floor below it on all
-//   four sides, else on open floor.
+// - A level without spawns starts at its origin, if that can be made to fit, has floor below it on all four
+//   sides, is in no closed solid, and reaches nearly as much as any start; else on open floor.
 // `scene` is the level's scene at time 0; `offset` is LevelScene::offset(). Error: no spawn has this name.
 Result<Start> find_start(const Level& level, const MovementScene& scene, const Vec3& offset,
                          const MovementSettings& settings, std::string_view name = {});
@@ -47,16 +47,15 @@ Result<Start> find_start(const Level& level, LevelScene& scene, const MovementSe
 // main spawn, such as audits.
 Result<Start> settle_start(Level& level, std::string_view name = {});
 
-// The centre of a player who stands on open floor near the middle of the static geometry and the terrain, in
-// the scene's coordinates; nothing if there is no such floor. The floor is sampled on a grid of at most
-// 64 x 64 columns: faces that look up (if there are none, backs of faces that look down), no steeper than
-// max_slope, no hazards, with room for the player above.
-// Neighbours are connected where the player, raised by a step, can move straight from one to the other. Of
-// the connected floors at least half as large as the largest and not smaller than the player, the result is
-// the sample nearest to the middle; samples with four connections come first. Heights above the lowest sample
-// count double, so that a room is preferred to its roof. The same level gives the same bits. Where very many
-// triangles lie in one place, the columns nearest to the middle alone are sampled, and `all_tried`, if given,
-// becomes false.
+// The centre of a player who stands on open floor of the static geometry and the terrain, in the scene's
+// coordinates; nothing if there is no such floor. The level is cut into columns, at most 2^18. Floors are
+// faces that look up, no steeper than max_slope, no hazards, with room for the player above, and not inside
+// of closed shells (winding number); if that gives less than half as much, faces that look down. Columns are
+// connected where the player walks from one to the next, floors by jumps and drops. Of the floors from which
+// 0.7 of the most area is reached, and half as large as the largest of these, the result is the place nearest
+// to the middle; places with four connections come first. Heights above the lowest place count double, so
+// that a room is preferred to its roof. The same level gives the same bits. Where so many triangles lie in
+// one place that trying places takes too long, the search ends, and `all_tried`, if given, becomes false.
 std::optional<Vec3> find_open_floor(const MovementScene& scene, const MovementSettings& settings,
                                     bool* all_tried = nullptr);
 

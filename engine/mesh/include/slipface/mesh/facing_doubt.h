@@ -9,7 +9,7 @@
 namespace slipface {
 
 struct FacingDoubt {
-    double wrong = 0.0;      // fraction of the judged area whose faces seem to look the wrong way
+    double wrong = 0.0;        // fraction of the judged area whose faces seem to look the wrong way
     std::string text() const;  // "78 % of the surface seems to look the wrong way"
 };
 

@@ -22,6 +22,7 @@ inline constexpr std::string_view up_axis_names[] = {"y", "z", "x", "-y", "-z", 
 struct ImportTransform {
     std::optional<double> scale;  // metres per unit of the file; above 0
     std::optional<UpAxis> up;
+    bool flip = false;  // the faces look the other way: their corners are read backwards
     friend bool operator==(const ImportTransform&, const ImportTransform&) = default;
 };
 inline constexpr double smallest_import_scale = 1e-6, largest_import_scale = 1e6;
