@@ -164,7 +164,9 @@ class StartFinder {
                 room = true;
             }
         }
-        if (!room || !is_firm(scene_, settings_, centre) || !open_floor().is_good(centre))
+        // A fall from high above is no start that somebody meant.
+        const bool low = room && drop(scene_, settings_, centre, 2.0 * settings_.radii.y());
+        if (!low || !is_firm(scene_, settings_, centre) || !open_floor().is_good(centre))
             return elsewhere(start, "The level has no spawn");
         start.position = centre - offset_;
         start.note = "The level has no spawn; the player starts at the origin";

@@ -13,11 +13,11 @@ namespace {
 
 constexpr double nearly_all = 0.7;  // of what is reached from the best start
 constexpr double height_weight = 2.0;
-constexpr double sure_jump = 0.9;             // of the highest jump
-constexpr std::size_t most_arc_cells = 16;    // of a jump, along its direction
-constexpr std::size_t most_searched = 64;     // regions from which everything reached is counted
-constexpr std::size_t most_ways = 2'000'000;  // followed for that
-constexpr std::size_t most_stood_at = 400;
+constexpr double sure_jump = 0.9;            // of the highest jump
+constexpr std::size_t max_arc_cells = 16;    // of a jump, along its direction
+constexpr std::size_t max_searched = 64;     // regions from which everything reached is counted
+constexpr std::size_t max_ways = 2'000'000;  // followed for that
+constexpr std::size_t max_stood_at = 400;
 constexpr std::array<std::array<int, 2>, 4> sides{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 }  // namespace
@@ -54,7 +54,7 @@ void OpenFloor::arcs(std::size_t cell, const FloorColumns::Place& from, int dx, 
     const double to_apex = std::sqrt(2.0 * height / gravity) * settings_.walk_speed;
     auto column = static_cast<int>(cell % static_cast<std::size_t>(columns_.columns));
     auto row = static_cast<int>(cell / static_cast<std::size_t>(columns_.columns));
-    for (std::size_t k = 1; k <= most_arc_cells; ++k) {
+    for (std::size_t k = 1; k <= max_arc_cells; ++k) {
         column += dx;
         row += dz;
         if (column < 0 || row < 0 || column >= columns_.columns || row >= columns_.rows) return;
@@ -186,11 +186,11 @@ void OpenFloor::judge() {
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return regions_[a].cells > regions_[b].cells; });
-    order.resize(std::min(order.size(), most_searched));
+    order.resize(std::min(order.size(), max_searched));
     std::vector<std::uint32_t> seen(regions_.size(), no_id), open;
     std::size_t followed = 0;
     for (const std::uint32_t from : order) {
-        if (regions_[from].cells == 0 || followed > most_ways) break;
+        if (regions_[from].cells == 0 || followed > max_ways) break;
         open.assign(1, from);
         seen[from] = from;
         std::size_t cells = 0;
@@ -318,7 +318,7 @@ std::optional<Vec3> OpenFloor::best(bool& all_tried) const {
         const auto [x, z] = columns_.middle(standing.cell);
         const Vec3 at(x, standing.y + settings_.radii.y(), z);
         const Vec3 reach = 1.5 * settings_.radii;
-        if (tried++ == most_stood_at || !effort.spend(crowd_in(scene_, {at - reach, at + reach}))) {
+        if (tried++ == max_stood_at || !effort.spend(crowd_in(scene_, {at - reach, at + reach}))) {
             all_tried = false;
             return std::nullopt;
         }

@@ -24,9 +24,11 @@ struct Shell {
     double up = 0.0, down = 0.0;      // area within 45 degrees of level
     Aabb bounds;
 
+    // What stands in a room may be sunk into its floor.
     bool holds(const Shell& other) const {
-        return (bounds.min.array() <= other.bounds.min.array()).all() &&
-               (bounds.max.array() >= other.bounds.max.array()).all();
+        const Vec3 middle = other.bounds.centre();
+        return std::abs(other.volume) < std::abs(volume) && (bounds.min.array() <= middle.array()).all() &&
+               (bounds.max.array() >= middle.array()).all();
     }
 };
 
@@ -101,18 +103,14 @@ std::vector<Shell> shells_of(const Mesh& mesh) {
 }
 
 bool is_room(const Shell& shell, const std::vector<Shell>& shells) {
-    double others = 0.0, held = 0.0, area = shell.area, volume = -shell.volume;
+    double others = 0.0, held = 0.0;
     for (const Shell& other : shells) {
         if (&other == &shell) continue;
         others += other.area;
-        if (!shell.holds(other)) continue;
-        held += other.area;
-        if (!other.closed) continue;
-        area += other.area;
-        volume -= other.volume;
+        if (shell.holds(other)) held += other.area;
     }
     return shell.bounds.max.y() - shell.bounds.min.y() >= least_height &&
-           2.0 * volume >= least_width * area && 2.0 * held >= others;
+           -2.0 * shell.volume >= least_width * shell.area && 2.0 * held >= others;
 }
 
 }  // namespace
@@ -126,7 +124,7 @@ std::optional<FacingDoubt> facing_doubt(const Mesh& mesh) {
     // The largest first: what holds a shell comes before it.
     std::stable_sort(shells.begin(), shells.end(),
                      [](const Shell& a, const Shell& b) { return std::abs(a.volume) > std::abs(b.volume); });
-    constexpr std::size_t most_compared = 1000;  // with the shells that may hold them
+    constexpr std::size_t max_compared = 1000;  // with the shells that may hold them
     double judged = 0.0, wrong = 0.0;
     for (std::size_t i = 0; i < shells.size(); ++i) {
         const Shell& shell = shells[i];
@@ -140,10 +138,10 @@ std::optional<FacingDoubt> facing_doubt(const Mesh& mesh) {
         const auto solid_around = [&](const Shell& other) {
             return other.closed && other.volume > 0.0 && other.holds(shell);
         };
-        const auto before = shells.begin() + static_cast<std::ptrdiff_t>(std::min(i, most_compared));
+        const auto before = shells.begin() + static_cast<std::ptrdiff_t>(std::min(i, max_compared));
         if (std::any_of(shells.begin(), before, solid_around)) continue;
         // Only the largest that look inward can be around half of all else.
-        if (i < most_compared && is_room(shell, shells)) continue;
+        if (i < max_compared && is_room(shell, shells)) continue;
         wrong += shell.area;
     }
     if (!(2.0 * wrong > judged)) return std::nullopt;

@@ -35,7 +35,8 @@ struct Start {
 //   the player's height, or pushed out sideways, whichever is the shorter displacement.
 // - A spawn with nothing below it and no ladder or sticky surface around it, or with no room near it, is
 //   replaced by open floor (find_open_floor()). In a level with platforms it may have nothing below it.
-// - A level without spawns starts at its origin, if that can be made to fit, has floor below it on all four
+// - A level without spawns starts at its origin, if that can be made to fit, has floor below it, at most as
+//   deep as the player is high, on all four
 //   sides, is in no closed solid, and reaches nearly as much as any start; else on open floor.
 // `scene` is the level's scene at time 0; `offset` is LevelScene::offset(). Error: no spawn has this name.
 Result<Start> find_start(const Level& level, const MovementScene& scene, const Vec3& offset,

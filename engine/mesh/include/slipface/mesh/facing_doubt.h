@@ -17,7 +17,7 @@ struct FacingDoubt {
 // that are connected over their edges:
 // - A closed shell that looks outward, as a solid does, looks the right way.
 // - One that looks inward is right as a room, or as a cave within a solid. A room is higher than a player,
-//   0.8 m wide in the mean (twice the volume per area, less what is in it), and around at least half of all
+//   0.8 m wide in the mean (twice the volume per area), and around at least half of all
 //   else: of several solids that are inside out none is around the others.
 // - An open shell looks the wrong way if twice as much of its floor and ceiling looks down as up.
 // One closed shell alone may be a room or a solid that is inside out; it is not doubted if it may be a room.
