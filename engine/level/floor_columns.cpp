@@ -118,7 +118,7 @@ class Columns {
     void choose_cells() {
         const Vec3 size = out_.bounds.max - out_.bounds.min;
         const double wide = std::max(size.x(), size.z());
-        const double radius = std::max(settings_.radii.x(), settings_.radii.z());
+        const double radius = std::max({settings_.radii.x(), settings_.radii.z(), 1e-3});
         double cell = std::clamp(wide / least_columns, radius / 8.0, cell_in_radii * radius);
         const auto too_many = [&] {
             if ((size.x() / cell + 2.0) * (size.z() / cell + 2.0) > max_cells) return true;

@@ -50,16 +50,15 @@ template <class Visit>
 void OpenFloor::arcs(std::size_t cell, const FloorColumns::Place& from, int dx, int dz, Visit visit) const {
     const double headroom = from.ceiling - from.top - columns_.body;
     const double height = std::min(jump_, std::max(0.0, headroom));
-    const double gravity = std::max(settings_.gravity, 1e-3);
-    const double to_apex = std::sqrt(2.0 * height / gravity) * settings_.walk_speed;
+    const double gravity = std::max(settings_.gravity, 1e-3), speed = std::max(settings_.walk_speed, 1e-3);
+    const double to_apex = std::sqrt(2.0 * height / gravity) * speed;
     auto column = static_cast<int>(cell % static_cast<std::size_t>(columns_.columns));
     auto row = static_cast<int>(cell / static_cast<std::size_t>(columns_.columns));
     for (std::size_t k = 1; k <= max_arc_cells; ++k) {
         column += dx;
         row += dz;
         if (column < 0 || row < 0 || column >= columns_.columns || row >= columns_.rows) return;
-        const double beyond =
-            std::max(0.0, static_cast<double>(k - 1) * columns_.cell - to_apex) / settings_.walk_speed;
+        const double beyond = std::max(0.0, static_cast<double>(k - 1) * columns_.cell - to_apex) / speed;
         const double feet = from.top + height - 0.5 * gravity * beyond * beyond;
         const std::size_t at = columns_.cell_at(column, row);
         const auto places = columns_.places_in(at);

@@ -60,8 +60,8 @@ TEST(Doubts, AreFalseInUnderTwoOfAHundredLevels) {
     EXPECT_LT(lying, count / 50);
     EXPECT_LT(size, count / 50);
     EXPECT_LT(facing, count / 50);
-    // One solid alone that is inside out is a room.
-    EXPECT_GT(said, thick * 8 / 10);
+    // One solid alone that is inside out may be a room, and a block with a cave a room with a rock in it.
+    EXPECT_GT(said, thick * 7 / 10);
 }
 
 TEST(Doubts, ATowerHigherThanAnyIsTooLarge) {
