@@ -3,6 +3,7 @@
 #include <assimp/NullLogger.hpp>
 
 #include "assimp/import_scene.h"
+#include "assimp/scene_child.h"
 #include "gltf/import_gltf.h"
 
 namespace slipface {
@@ -19,6 +20,11 @@ Result<ImportedSoup> import_scene(const std::filesystem::path& path, const std::
         path.string(),
         "is a file of the format " + extension +
             ", which only Slipface with assimp reads (on Linux); expected *.obj, *.bsp, *.gltf or *.glb"};
+}
+
+std::optional<Result<ImportedSoup>> import_scene_in_child(const std::filesystem::path&, std::string_view,
+                                                          WarningList&, Progress*) {
+    return std::nullopt;
 }
 
 }  // namespace slipface

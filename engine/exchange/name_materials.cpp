@@ -10,6 +10,7 @@
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
 #include "slipface/level/material_name.h"
+#include "slipface/mesh/formats.h"
 #include "slipface/mesh/obj_lines.h"
 
 namespace slipface {
@@ -197,8 +198,10 @@ Result<NamedMaterials> name_materials(const Level& level) {
     const std::string location = level.mesh_path.string();
     if (to_lower(level.mesh_path.extension().string()) != ".obj")
         return Error{location, "is read only; only OBJ files are written (slipface export writes others)"};
-    Result<std::string> bytes = read_file(level.mesh_path);
+    Result<std::string> bytes = read_file(level.mesh_path, max_geometry_bytes);
     if (!bytes) return bytes.error();
+    if (bytes->find('\0') != std::string::npos)
+        return Error{location, "is UTF-16 or has zero bytes; only OBJ files in UTF-8 are written"};
     Result<NamedObj> text = obj_with_names(level, *bytes);
     if (!text) return text.error();
 

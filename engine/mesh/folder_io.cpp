@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "slipface/base/files.h"
+#include "slipface/mesh/formats.h"
 
 namespace slipface {
 
@@ -71,7 +72,7 @@ Assimp::IOStream* FolderIo::Open(const char* file, const char* mode) {
         std::find(asked_for_.begin(), asked_for_.end(), file) == asked_for_.end())
         asked_for_.emplace_back(file);
     if (!readable(file)) return nullptr;
-    auto bytes = read_file(file);
+    auto bytes = read_file(file, max_geometry_bytes);
     return bytes ? new GuardedStream(std::move(*bytes)) : nullptr;
 }
 

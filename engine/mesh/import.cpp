@@ -8,6 +8,7 @@
 
 #include "assimp/import_scene.h"
 #include "assimp/imported_soup.h"
+#include "assimp/scene_child.h"
 #include "bsp/import_bsp.h"
 #include "obj/import_obj.h"
 #include "obj/obj_text.h"
@@ -21,6 +22,9 @@
 
 namespace slipface {
 namespace {
+
+// A level file holds positions up to 1e9 m, so what is read can be saved and opened again.
+constexpr double largest_position_m = 1e8;
 
 std::string extension_of(const std::filesystem::path& path) {
     std::string extension = to_lower(path.extension().string());
@@ -40,7 +44,10 @@ Result<ImportedSoup> read_soup(const std::filesystem::path& path, std::string by
         return imported;
     }
     if (bytes.empty()) return Error{path.string(), "is empty"};
-    if (extension == "bsp") return import_bsp(bytes, path.string(), warnings, progress);
+    if (extension == "bsp") {
+        auto answered = import_scene_in_child(path, bytes, warnings, progress);
+        return answered ? std::move(*answered) : import_bsp(bytes, path.string(), warnings, progress);
+    }
     return import_scene(path, extension, std::move(bytes), warnings, progress);
 }
 
@@ -109,7 +116,8 @@ Result<ImportedMesh> read_mesh(const std::filesystem::path& path, const ImportOp
     }
     if (auto status = check_transform(path, options.transform); !status) return status.error();
     begin_stage(options.progress, "Reading the file", 0.0, 0.1);
-    auto bytes = options.content != nullptr ? Result<std::string>(*options.content) : read_file(path);
+    auto bytes = options.content != nullptr ? Result<std::string>(*options.content)
+                                            : read_file(path, max_geometry_bytes);
     if (!bytes) return bytes.error();
     ImportedMesh imported;
     imported.stamp = file_stamp(*bytes);
@@ -124,6 +132,13 @@ Result<ImportedMesh> read_mesh(const std::filesystem::path& path, const ImportOp
     auto mesh = build_mesh(std::move(read->soup));
     if (!mesh) return Error{path.string(), mesh.error().message};
     if (cancelled(options.progress)) return cancelled_error(path);
+    const Aabb& bounds = (*mesh)->bounds;
+    const double reach = std::max(bounds.min.cwiseAbs().maxCoeff(), bounds.max.cwiseAbs().maxCoeff());
+    if (reach > largest_position_m)
+        return Error{
+            path.string(),
+            fmt::format("lies up to {:.3g} m from the origin with {} m per unit; expected at most {:g} m",
+                        reach, imported.summary.scale, largest_position_m)};
     imported.mesh = std::move(*mesh);
     imported.summary.size = imported.mesh->bounds.size();
     imported.spawns = std::move(read->spawns);

@@ -395,6 +395,32 @@ TEST_F(ImportBsp, BrushesThatOverlapWithoutEndAreRefused) {
     EXPECT_THAT(error_of(map), HasSubstr("too many overlapping brushes"));
 }
 
+// Faces that share their indices again and again: small on disk only.
+TEST_F(ImportBsp, FacesThatShareTheirCornersWithoutEndAreRefused) {
+    for (const std::uint32_t kind : {1U, 3U}) {
+        Map map;
+        map.add_texture("floor", 0, solid);
+        for (int i = 0; i < 9; ++i)
+            map.vertices += bsp_maker::vertex({double(i % 3), double(i / 3), 0});
+        for (int i = 0; i < 3000; ++i)
+            map.indices += u32(0) + u32(1) + u32(3);
+        for (int i = 0; i < 3000; ++i)
+            map.faces += face(0, kind, 0, 9, 0, 9000);
+        EXPECT_THAT(error_of(map), HasSubstr("has too many faces: more than"));
+    }
+    Map map;  // a list of indices that many faces have in common is what compilers write
+    map.add_texture("floor", 0, solid);
+    map.indices = u32(0) + u32(1) + u32(2) + u32(0) + u32(2) + u32(3);
+    for (std::uint32_t i = 0; i < 500; ++i) {
+        for (const Vec3& corner : {Vec3(0, 0, i), Vec3(1, 0, i), Vec3(1, 1, i), Vec3(0, 1, i)})
+            map.vertices += bsp_maker::vertex(corner);
+        map.faces += face(0, 1, 4 * i, 4, 0, 6);
+    }
+    const auto mesh = import_map(map.bytes());
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    EXPECT_EQ(mesh->mesh->face_count(), 500u);
+}
+
 TEST_F(ImportBsp, AnyByteMayBeWrong) {
     std::mt19937 random(23);
     Map map = small_map();

@@ -205,6 +205,21 @@ TEST_F(Units, AScaleOutOfRangeIsRefused) {
     }
 }
 
+// What a level file could not hold is not read either.
+TEST_F(Units, PositionsBeyondALevelFileAreRefused) {
+    for (const double metres : {9e7, 1.1e8, 1e13}) {
+        for (const double scale : {metres / 9e6, metres / 1e7}) {
+            if (scale > largest_import_scale) continue;
+            const std::string obj = fmt::format("v 0 0 0\nv 0 0 1\nv {} 0 0\nf 1 2 3\n", metres / scale);
+            const auto imported = import_as("level.obj", obj, {.scale = scale, .up = {}});
+            ASSERT_EQ(imported.ok(), metres < 1e8) << metres;
+            if (!imported) {
+                EXPECT_THAT(imported.error().message, HasSubstr("expected at most 1e+08 m"));
+            }
+        }
+    }
+}
+
 TEST_F(Units, ImplausibleSizesAreDoubted) {
     const auto box = [&](double size, const ImportTransform& how = {}) {
         std::string text;

@@ -13,8 +13,10 @@
 #include <new>
 
 #include "assimp/soup_bytes.h"
+#include "bsp/import_bsp.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
+#include "slipface/mesh/formats.h"
 #include "slipface/mesh/scene_child.h"
 
 extern char** environ;
@@ -193,7 +195,7 @@ bool write_all(std::string_view bytes) {
 
 SceneAnswer read_answer(const std::filesystem::path& path, std::size_t max_warnings) {
     SceneAnswer answer;
-    Result<std::string> bytes = read_file(path);
+    Result<std::string> bytes = read_file(path, max_geometry_bytes);
     if (!bytes) {
         answer.error = bytes.error();
         return answer;
@@ -202,7 +204,9 @@ SceneAnswer read_answer(const std::filesystem::path& path, std::size_t max_warni
     std::string extension = to_lower(path.extension().string());
     extension.erase(0, 1);
     WarningList warnings(max_warnings);
-    Result<ImportedSoup> scene = read_scene(path, extension, std::move(*bytes), warnings, nullptr);
+    Result<ImportedSoup> scene = extension == "bsp"
+                                     ? import_bsp(*bytes, path.string(), warnings, nullptr)
+                                     : read_scene(path, extension, std::move(*bytes), warnings, nullptr);
     if (scene) {
         answer.scene = std::move(*scene);
     } else {

@@ -68,6 +68,17 @@ void members(Bytes& bytes, Answer& answer) {
     for (int i = 0; i < 9; ++i)
         bytes.number(frame.upright.data()[i]);
     bytes.text(answer.scene.type_table);
+    bytes.list(answer.scene.spawns, [&](auto& spawn) {
+        bytes.text(spawn.name);
+        for (int i = 0; i < 3; ++i)
+            bytes.number(spawn.feet.data()[i]);
+        bytes.number(spawn.yaw);
+    });
+    bytes.list(answer.scene.types, [&](auto& type) {
+        bytes.text(type.material);
+        bytes.text(type.type);
+    });
+    bytes.numbers(answer.scene.undrawn);
     auto& soup = answer.scene.soup;
     bytes.numbers(soup.corner_position);
     bytes.numbers(soup.corner_uv);

@@ -12,7 +12,7 @@ namespace slipface {
 
 struct SceneAnswer {
     std::optional<Error> error;  // else `scene` is valid
-    ImportedSoup scene;          // without spawns and types: no format that assimp reads has them
+    ImportedSoup scene;
     Warnings warnings;
     FileStamp stamp;  // of the file that the child read
 };

@@ -70,7 +70,20 @@ class FaceReader {
         return {};
     }
 
+    // Faces may share vertices and indices. A map whose faces do so again and again is small only as a file.
+    Status count_corners(std::size_t more) {
+        corners_ += more;
+        const std::size_t bytes =
+            file_.faces.bytes.size() + file_.vertices.bytes.size() + file_.indices.bytes.size();
+        const std::size_t most = std::min(max_corners, 4 * bytes);
+        if (corners_ <= most) return {};
+        return Error{location_, fmt::format("has too many faces: more than {} corners in {} bytes of faces, "
+                                            "vertices and indices",
+                                            most, bytes)};
+    }
+
     Status add_triangles(std::size_t number, const BspRange& points, const BspRange& corners, bool flat) {
+        if (auto status = count_corners(corners.count); !status) return status;
         std::vector<std::uint32_t> triangles;
         for (std::size_t i = 0; i + 2 < corners.count; i += 3) {
             for (std::size_t k = 3; k-- > 0;) {  // Quake has the opposite winding
@@ -81,8 +94,6 @@ class FaceReader {
                 triangles.push_back(index);
             }
         }
-        if (triangles.size() > max_corners || out_.soup.corner_position.size() > max_corners)
-            return Error{location_, "has too many faces"};
         std::vector<Point> used;
         for (const std::uint32_t index : triangles) {
             used.push_back(point(points.first + index));
@@ -148,7 +159,7 @@ class FaceReader {
     }
 
     Status add_square(std::size_t first, std::size_t width) {
-        if (out_.soup.corner_position.size() > max_corners) return Error{location_, "has too many faces"};
+        if (auto status = count_corners(4 * patch_steps * patch_steps); !status) return status;
         Point grid[patch_steps + 1][patch_steps + 1];
         for (int v = 0; v <= patch_steps; ++v) {
             Point column[3];
@@ -198,6 +209,7 @@ class FaceReader {
     std::size_t material_ = 0;
     Vec3f origin_ = Vec3f::Zero();
     std::size_t dropped_ = 0;
+    std::size_t corners_ = 0;  // of all faces so far
 };
 
 }  // namespace

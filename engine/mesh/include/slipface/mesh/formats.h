@@ -2,12 +2,16 @@
 // line's help.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace slipface {
+
+// A larger geometry file is refused before it is read.
+inline constexpr std::uint64_t max_geometry_bytes = std::uint64_t{1} << 30;
 
 struct MeshFormat {
     std::string_view ending;  // of the file name, lower case, without the dot

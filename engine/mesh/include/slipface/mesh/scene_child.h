@@ -10,7 +10,7 @@
 
 namespace slipface {
 
-// From now on import_mesh() runs `command` with some arguments more for each file that assimp reads: a
+// From now on import_mesh() runs `command` with some arguments more for each file but an OBJ: a
 // program that passes these arguments to read_scene_as_child(). Call it before the first import; empty: read
 // in this process, as is the default.
 void read_scenes_in_child(std::vector<std::string> command);
