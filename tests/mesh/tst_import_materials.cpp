@@ -107,8 +107,20 @@ TEST_F(ImportMaterials, LibrariesOutsideTheFolderAreNotRead) {
     EXPECT_EQ(import_mesh(folder / "level" / "level.obj")->mesh->materials[0].diffuse, Vec3f(0, 1, 0));
 }
 
+TEST_F(ImportMaterials, BytesThatAreNotTextCostOnlyWhatTheyStandIn) {
+    write("a.mtl", std::string("# \x01\nnewmtl a\nKd 1 0 0\nmap_Kd a\0b.png\nnewmtl b\nKd 0 1 0\n\0", 56));
+    const auto found = materials("mtllib a.mtl\n", {"a", "b"});
+    ASSERT_THAT(found, SizeIs(2));
+    EXPECT_EQ(found[0].diffuse, Vec3f(1, 0, 0));
+    EXPECT_EQ(found[0].texture, "a?b.png");
+    EXPECT_EQ(found[1].diffuse, Vec3f(0, 1, 0));
+    ASSERT_THAT(warnings, SizeIs(1));
+    EXPECT_EQ(warnings[0].location, (folder / "a.mtl").string() + ":1");
+    EXPECT_THAT(warnings[0].message, HasSubstr("not text: read as '?'; 1 more of these"));
+}
+
 TEST_F(ImportMaterials, BadLibrariesAreWarnings) {
-    write("junk.mtl", std::string("newmtl a\n\0\1\2", 12));
+    write("junk.mtl", std::string("\x89PNG\n\0\1\2", 8));
     write("odd.mtl", "Kd 1 1 1\nnewmtl a\nKd red\nKd nan 0 0\nKd 2 -1 0.5\nnewmtl a\nKd 0 0 0\n");
     fs::create_directory(folder / "folder.mtl");
     const auto found = materials("mtllib junk.mtl\nmtllib folder.mtl\nmtllib odd.mtl\nmtllib\n", {"a"});
@@ -116,6 +128,7 @@ TEST_F(ImportMaterials, BadLibrariesAreWarnings) {
     EXPECT_EQ(found[0].diffuse, Vec3f(1, 0, 0.5F)) << "clamped, and the first definition counts";
     ASSERT_THAT(warnings, SizeIs(6));
     EXPECT_EQ(warnings[0].location, (folder / "junk.mtl").string() + ":2");
+    EXPECT_THAT(warnings[0].message, HasSubstr("no text"));
     EXPECT_THAT(warnings[1].message, HasSubstr("directory"));
     EXPECT_EQ(warnings[2].location, (folder / "odd.mtl").string() + ":3");
     EXPECT_EQ(warnings[3].location, (folder / "odd.mtl").string() + ":4");

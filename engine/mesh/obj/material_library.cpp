@@ -151,9 +151,14 @@ class LibraryLoader {
 
 void read_mtl(std::string text, const std::string& location, const fs::path& folder,
               MaterialsByName& materials, WarningList& warnings) {
-    if (const std::size_t binary = find_binary(text); binary != std::string::npos) {
-        return warnings.add(fmt::format("{}:{}", location, line_of(text, binary)),
-                            "no text; expected a material library: ignored");
+    text = text_of_file(std::move(text));
+    if (const std::size_t at = find_binary(text); at != std::string::npos) {
+        const bool is_library = text.find("newmtl") != std::string::npos;
+        warnings.add(fmt::format("{}:{}", location, line_of(text, at)),
+                     is_library ? "a byte that is not text: read as '?'"
+                                : "no text; expected a material library: ignored",
+                     is_library ? replace_binary(text) : 1);
+        if (!is_library) return;
     }
     Material* material = nullptr;
     LineReader lines(text);

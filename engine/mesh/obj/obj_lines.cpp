@@ -12,7 +12,8 @@ namespace {
 
 class StatementReader {
   public:
-    explicit StatementReader(std::string_view text) : text_(text), joined_(text) {}
+    explicit StatementReader(std::string_view text)
+        : text_(text.substr(0, text.find_last_not_of(std::string_view("\0\x1A", 2)) + 1)), joined_(text_) {}
 
     std::vector<ObjStatement> run() {
         // The reader joins continued lines within the copy and preserves the length, so that offsets into the

@@ -41,9 +41,7 @@ class PartReader {
     bool run() {
         return for_each_line(part_.text, [this](const char* begin, const char* end) {
             line_ = ++seen_.line;
-            const auto size = static_cast<std::size_t>(end - begin);
-            const bool fine = size > longest_obj_line ? refuse_long(size)
-                                                      : size == 0 || *begin == '#' || read_line({begin, end});
+            const bool fine = begin == end || *begin == '#' || read_line({begin, end});
             if (all_.continued) seen_.line += std::count(begin, end, obj_joint);
             return fine;
         });
@@ -51,12 +49,17 @@ class PartReader {
 
   private:
     bool read_line(LineCursor line) {
+        const bool is_long = line.rest().size() > longest_obj_line;
         const std::string_view keyword = line.word();
-        if (keyword == "v") return read_vertex(line);
-        if (keyword == "f" || keyword == "fo") return read_face(line);
+        if (keyword == "v") return is_long ? refuse_long() : read_vertex(line);
+        if (keyword == "f" || keyword == "fo") return is_long ? refuse_long() : read_face(line);
         if (keyword == "vt") return read_uv(line);
         if (keyword == "vn") {
             ++seen_.of[of_vn];
+        } else if (is_long) {
+            warn([&] {
+                return fmt::format("the line has more than {} characters: ignored", longest_obj_line);
+            });
         } else if (keyword == "usemtl") {
             read_name(line, ObjName::Kind::material);
         } else if (keyword == "g" || keyword == "o") {
@@ -124,17 +127,17 @@ class PartReader {
         return true;
     }
 
-    // v, v/vt, v//vn or v/vt/vn
+    // v, v/vt, v//vn or v/vt/vn. Without its position a corner is nowhere; the others it can do without.
     bool read_corner(LineCursor& line) {
         const LineCursor begin = line;
         std::uint32_t v = 0, vt = no_id, vn = 0;
         if (!read_index(line, begin, of_v, v)) return false;
         if (!line.at_end() && *line.at == '/') {
             ++line.at;
-            if (!line.at_word_end() && *line.at != '/' && !read_index(line, begin, of_vt, vt)) return false;
+            if (!line.at_word_end() && *line.at != '/') read_spare_index(line, of_vt, vt);
             if (!line.at_end() && *line.at == '/') {
                 ++line.at;
-                if (!line.at_word_end() && !read_index(line, begin, of_vn, vn)) return false;
+                if (!line.at_word_end()) read_spare_index(line, of_vn, vn);
             }
         }
         part_.corner_v.push_back(v);
@@ -142,34 +145,46 @@ class PartReader {
         return line.at_word_end() || refuse_corner(begin);
     }
 
-    // From 1 to the number of statements, or from -1 back from the last one so far.
     bool read_index(LineCursor& line, const LineCursor& corner, Counted kind, std::uint32_t& value) {
+        const char* const begin = line.at;
+        if (find_index(line, kind, value)) return true;
+        if (line.at == begin) return refuse_corner(corner);
+        return refuse(fmt::format(
+            "index {} is out of range; expected 1 to {}, or -1 to -{}, the number of '{}' lines so far",
+            std::string_view(begin, static_cast<std::size_t>(line.at - begin)), all_.total.of[kind],
+            seen_.of[kind], counted_names[kind]));
+    }
+
+    // Of a texture coordinate or a normal; one that cannot be found is left out.
+    void read_spare_index(LineCursor& line, Counted kind, std::uint32_t& value) {
+        const auto ends = [&] { return line.at_word_end() || (kind == of_vt && *line.at == '/'); };
+        if (find_index(line, kind, value) && ends()) return;
+        value = no_id;
+        while (!ends())
+            ++line.at;
+        warn([&] {
+            return fmt::format("a corner's {} is none of the file's {} '{}' lines: left out",
+                               kind == of_vt ? "texture coordinate" : "normal", all_.total.of[kind],
+                               counted_names[kind]);
+        });
+    }
+
+    // From 1 to the number of statements, or from -1 back from the last one so far. Moves behind the number.
+    bool find_index(LineCursor& line, Counted kind, std::uint32_t& value) const {
         const char* const begin = line.at;
         std::uint64_t digits = 0;
         int length = 0;
-        if (line.digits(digits, length) && digits - 1 < static_cast<std::uint64_t>(all_.total.of[kind])) {
+        const std::int64_t known = seen_.of[kind], total = all_.total.of[kind];
+        if (line.digits(digits, length) && digits - 1 < static_cast<std::uint64_t>(total)) {
             value = static_cast<std::uint32_t>(digits - 1);
             return true;
         }
-        line.at = begin;
-        return read_rare_index(line, corner, kind, value);
-    }
-
-    // One that counts back, or a wrong one.
-    bool read_rare_index(LineCursor& line, const LineCursor& corner, Counted kind, std::uint32_t& value) {
-        const std::int64_t known = seen_.of[kind], total = all_.total.of[kind];
         std::int64_t index = 0;
-        const auto [stop, error] = std::from_chars(line.at, line.end, index);
-        if (error == std::errc::invalid_argument) return refuse_corner(corner);
-        const std::string_view word(line.at, static_cast<std::size_t>(stop - line.at));
+        const auto [stop, error] = std::from_chars(begin, line.end, index);
         line.at = stop;
-        if (error == std::errc{} && index != 0 && index >= -known && index <= total) {
-            value = static_cast<std::uint32_t>(index < 0 ? known + index : index - 1);
-            return true;
-        }
-        return refuse(fmt::format(
-            "index {} is out of range; expected 1 to {}, or -1 to -{}, the number of '{}' lines so far", word,
-            total, known, counted_names[kind]));
+        if (error != std::errc{} || index == 0 || index < -known || index > total) return false;
+        value = static_cast<std::uint32_t>(index < 0 ? known + index : index - 1);
+        return true;
     }
 
     bool has_three_different(std::size_t first) const {
@@ -195,8 +210,8 @@ class PartReader {
             {kind, part_.face_corners.size(), static_cast<std::size_t>(line_), std::move(name)});
     }
 
-    bool refuse_long(std::size_t size) {
-        return refuse(fmt::format("the line has {} characters; at most {} are read", size, longest_obj_line));
+    bool refuse_long() {
+        return refuse(fmt::format("the line has more than {} characters", longest_obj_line));
     }
     bool refuse_corner(LineCursor corner) {
         return refuse(

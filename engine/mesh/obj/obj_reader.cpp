@@ -144,15 +144,6 @@ void join_corners(std::vector<ObjPart>& parts, const std::vector<Vec2f>& uvs, Po
     });
 }
 
-Error binary_error(std::string_view text, const ObjReading& reading) {
-    const std::size_t at = find_binary(text);
-    const std::string_view before = text.substr(0, at);
-    const auto joints = reading.continued ? std::count(before.begin(), before.end(), obj_joint) : 0;
-    return {
-        fmt::format("{}:{}", reading.location, line_of(text, at) + static_cast<std::size_t>(joints)),
-        fmt::format("byte 0x{:02X} is not text; expected an OBJ file", static_cast<unsigned char>(text[at]))};
-}
-
 // Reads every part on all cores. After an error only the parts before it go on, so that the first error of
 // the file is found whatever the order of the threads.
 std::optional<Error> read_parts(std::vector<ObjPart>& parts, ObjReading& reading, Progress* progress) {
@@ -172,24 +163,17 @@ std::optional<Error> read_parts(std::vector<ObjPart>& parts, ObjReading& reading
     return parts[first_wrong].error;
 }
 
-}  // namespace
-
-Result<ObjPolygons> read_obj(std::string text, const std::string& location, WarningList& warnings,
-                             Progress* progress) {
-    if (text.empty()) return Error{location, "is empty; expected an OBJ file"};
+Result<ObjPolygons> read_text(std::string text, const std::string& location, WarningList& warnings,
+                              Progress* progress) {
     ObjReading reading{.location = location, .continued = join_continued_lines(text)};
     std::string_view rest = text;
     if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
     std::vector<ObjPart> parts = split_into_parts(rest, warnings);
     std::vector<ObjCounts> counts(parts.size());
-    std::atomic<bool> all_text = true;
     parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t i = begin; i < end; ++i)
             counts[i] = count_statements(parts[i], reading);
-            if (find_binary(parts[i].text) != std::string_view::npos) all_text = false;
-        }
     });
-    if (!all_text) return binary_error(rest, reading);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         parts[i].before = reading.total;
         reading.total += counts[i];
@@ -210,6 +194,25 @@ Result<ObjPolygons> read_obj(std::string text, const std::string& location, Warn
     out.soup.vertex_position = std::move(reading.positions);
     join_corners(parts, reading.uvs, out.soup);
     return out;
+}
+
+}  // namespace
+
+Result<ObjPolygons> read_obj(std::string bytes, const std::string& location, WarningList& warnings,
+                             Progress* progress) {
+    std::string text = text_of_file(std::move(bytes));
+    if (text.empty()) return Error{location, "is empty; expected an OBJ file"};
+    const std::size_t at = find_binary(text);
+    if (at == std::string::npos) return read_text(std::move(text), location, warnings, progress);
+    // In a comment or a name such a byte does no harm. If something is wrong besides, the file is no OBJ at
+    // all.
+    const std::string where = fmt::format("{}:{}", location, line_of(text, at)),
+                      what = fmt::format("byte 0x{:02X} is not text", static_cast<unsigned char>(text[at]));
+    const std::size_t count = replace_binary(text);
+    Result<ObjPolygons> read = read_text(std::move(text), location, warnings, progress);
+    if (!read) return Error{where, what + "; expected an OBJ file"};
+    warnings.add(where, "a byte that is not text: read as '?'", count);
+    return read;
 }
 
 }  // namespace slipface

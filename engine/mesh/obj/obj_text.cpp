@@ -41,7 +41,53 @@ bool is_small(std::string_view word) {
     return word.find('.') < word.find_first_of("123456789");
 }
 
+void append_utf8(std::string& text, std::uint32_t code) {
+    const auto put = [&](std::uint32_t byte) { text.push_back(static_cast<char>(byte)); };
+    if (code < 0x80) return put(code);
+    const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+    put((0xFF00U >> (more + 1) & 0xFF) | code >> (6 * more));
+    for (int i = more; i-- > 0;)
+        put(0x80 | (code >> (6 * i) & 0x3F));
+}
+
+std::string utf8_of_utf16(std::string_view bytes, bool little_endian) {
+    std::string text;
+    const auto unit = [&](std::size_t at) -> std::uint32_t {
+        if (at + 1 >= bytes.size()) return 0;
+        const auto first = static_cast<unsigned char>(bytes[at]),
+                   second = static_cast<unsigned char>(bytes[at + 1]);
+        return little_endian ? first | second << 8U : first << 8U | second;
+    };
+    for (std::size_t at = 0; at + 1 < bytes.size(); at += 2) {
+        std::uint32_t code = unit(at);
+        if (code == 0xFEFF && at == 0) continue;
+        const std::uint32_t low = unit(at + 2);
+        if (code >= 0xD800 && code < 0xDC00 && low >= 0xDC00 && low < 0xE000) {
+            code = 0x10000 + ((code - 0xD800) << 10U) + (low - 0xDC00);
+            at += 2;
+        } else if (code >= 0xD800 && code < 0xE000) {
+            code = 0xFFFD;
+        }
+        append_utf8(text, code);
+    }
+    return text;
+}
+
 }  // namespace
+
+std::string text_of_file(std::string bytes) {
+    using namespace std::string_view_literals;
+    // Two ASCII characters whose other bytes are zero.
+    const auto ascii_at = [&](std::size_t first) {
+        return bytes.size() > 3 && bytes[1 - first] == '\0' && bytes[3 - first] == '\0' &&
+               is_text(static_cast<unsigned char>(bytes[first])) &&
+               is_text(static_cast<unsigned char>(bytes[2 + first]));
+    };
+    const bool little = bytes.starts_with("\xFF\xFE"sv) || ascii_at(0);
+    if (little || bytes.starts_with("\xFE\xFF"sv) || ascii_at(1)) bytes = utf8_of_utf16(bytes, little);
+    bytes.resize(bytes.find_last_not_of("\0\x1A"sv) + 1);
+    return bytes;
+}
 
 LineReader::LineReader(std::string& text) : at_(text.data()), end_(text.data() + text.size()) {
     if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
@@ -113,6 +159,13 @@ std::size_t find_binary(std::string_view text) {
                                         [](char c) { return is_text(static_cast<unsigned char>(c)); });
     return found == rest.end() ? std::string_view::npos
                                : begin + static_cast<std::size_t>(found - rest.begin());
+}
+
+std::size_t replace_binary(std::string& text) {
+    const auto is_binary = [](char c) { return !is_text(static_cast<unsigned char>(c)); };
+    const auto count = static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_binary));
+    std::replace_if(text.begin(), text.end(), is_binary, '?');
+    return count;
 }
 
 std::size_t line_of(std::string_view text, std::size_t position) {

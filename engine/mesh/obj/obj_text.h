@@ -8,6 +8,10 @@
 
 namespace slipface {
 
+// The bytes of a file as text: UTF-16 becomes UTF-8, and zero bytes and Ctrl-Z at the end are dropped, which
+// some programs write. UTF-16 is known by its byte order mark, or by two ASCII characters at the start.
+std::string text_of_file(std::string bytes);
+
 // Reads the logical lines of a text. `\` at the end of a line joins it with the next, except in comments,
 // where it usually ends a Windows path. Accepts LF, CRLF and lone CR, and skips a byte order mark.
 class LineReader {
@@ -41,6 +45,9 @@ std::optional<double> read_number(std::string_view word);
 
 // Position of the first byte that is not text (a control character other than white space), or npos.
 std::size_t find_binary(std::string_view text);
+// Replaces bytes that are not text by '?', so that only what they stand in is lost. Returns how many there
+// were.
+std::size_t replace_binary(std::string& text);
 std::size_t line_of(std::string_view text, std::size_t position);
 
 // The name as UTF-8. Bytes that are not UTF-8 are read as Latin-1, which old exporters write; `converted` is
