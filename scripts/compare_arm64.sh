@@ -16,7 +16,7 @@ if [ ! -e "$root/unpacked" ]; then
     sources=$(find /etc/apt -maxdepth 2 -name '*.sources' -o -maxdepth 2 -name 'sources.list' -size +0 | head -1)
     # Only what the engine and the test link: no interpreter and no driver runs here.
     libraries=libc6-dev,libstdc++-12-dev,libfmt-dev,libassimp-dev,libdraco-dev,libeigen3-dev,nlohmann-json3-dev
-    libraries+=,libtbb-dev,libdeflate-dev,libstb-dev,libgtest-dev,libgmock-dev,librapidcheck-dev
+    libraries+=,libtbb-dev,libdeflate-dev,libwebp-dev,libstb-dev,libgtest-dev,libgmock-dev,librapidcheck-dev
     step "Unpacking libraries for ARM64" mmdebstrap --architectures=arm64 --variant=extract --include="$libraries" \
         "${options[@]}" "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$root" "$sources"
     # Debian's CMake packages name their files by absolute paths, which here begin further down.

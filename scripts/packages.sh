@@ -6,7 +6,7 @@
 packages=(
     build-essential cmake ninja-build 'pkg-config|pkgconf'
     libimgui-dev libstb-dev libglfw3-dev 'libosmesa6|' libegl1 libgl1-mesa-dri
-    libassimp-dev libdraco-dev libmeshoptimizer-dev libeigen3-dev python3-glad nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev libdeflate-dev
+    libassimp-dev libdraco-dev libmeshoptimizer-dev libeigen3-dev python3-glad nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev libdeflate-dev libwebp-dev
     fonts-inter fonts-font-awesome
 )
 # What the tests need besides.

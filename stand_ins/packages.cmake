@@ -32,7 +32,7 @@ target_include_directories(slipface_stand_ins SYSTEM PUBLIC "$<BUILD_INTERFACE:$
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_LIST_DIR}/deflate>")
 set_target_properties(slipface_stand_ins PROPERTIES EXPORT_NAME stand_ins)
 target_link_libraries(fmt::fmt INTERFACE slipface_stand_ins)
-foreach(name deflate stb meshoptimizer draco)
+foreach(name deflate stb meshoptimizer draco webp)
     add_library(Slipface::${name} INTERFACE IMPORTED GLOBAL)
     target_link_libraries(Slipface::${name} INTERFACE slipface_stand_ins)
     set(SLIPFACE_${name}_LIBRARY stand-in CACHE INTERNAL "")

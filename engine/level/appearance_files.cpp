@@ -11,7 +11,7 @@ namespace slipface {
 namespace fs = std::filesystem;
 
 std::vector<fs::path> appearance_files(const fs::path& level) {
-    constexpr std::array endings{".mtl", ".png", ".jpg", ".jpeg", ".tga", ".bmp", ".gif", ".psd", ".hdr"};
+    constexpr std::array endings{".mtl", ".png", ".jpg", ".jpeg", ".tga", ".bmp", ".gif", ".webp"};
     constexpr std::size_t max_files = 100'000;
     std::vector<fs::path> files;
     std::error_code error;

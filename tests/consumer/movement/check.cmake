@@ -26,7 +26,7 @@ foreach(header IN LISTS headers)
 endforeach()
 
 set(hidden "${SCRATCH}/hidden")
-foreach(header fmt/core.h fmt/format.h nlohmann/json.hpp assimp/scene.h oneapi/tbb/parallel_for.h libdeflate.h)
+foreach(header fmt/core.h fmt/format.h nlohmann/json.hpp assimp/scene.h oneapi/tbb/parallel_for.h libdeflate.h webp/decode.h)
     file(WRITE "${hidden}/${header}" "#error \"a header of movement includes ${header}\"\n")
 endforeach()
 set(absent "")

@@ -33,13 +33,13 @@ struct Image {
 Image make_image(int width, int height, std::uint8_t red, std::uint8_t green, std::uint8_t blue,
                  std::uint8_t alpha = 255);
 
-// Reads PNG, JPEG, TGA or BMP. Images wider or higher than `max_side` pixels are refused before decoding, so
-// that a small file cannot demand gigabytes. `location` names the source in errors.
+// Reads PNG, JPEG, WebP, TGA, BMP or the first picture of a GIF, whatever the name of the file; of a few
+// others the error names the format. Images wider or higher than `max_side` pixels are refused before
+// decoding, so that a small file cannot demand gigabytes. `location` names the source in errors.
 Result<Image> load_image(const std::filesystem::path& path, int max_side = 8192);
 Result<Image> decode_image(std::string_view bytes, const std::string& location, int max_side = 8192);
 
 // The errors that the header shows already, without decoding the image.
-Status check_image(const std::filesystem::path& path, int max_side = 8192);
 Status check_image_header(std::string_view bytes, const std::string& location, int max_side = 8192);
 
 // How much time compression may take. `fast` keeps up with rasterising. `small` tries several row filters,
