@@ -15,6 +15,7 @@
 #include "slipface/base/version.h"
 #include "slipface/image/pack.h"
 #include "slipface/reach/report.h"
+#include "slipface/sim/level_fingerprint.h"
 #include "state_bytes.h"
 
 namespace slipface {
@@ -52,30 +53,11 @@ std::uint64_t ReachSearch::Impl::identity() const {
     };
     hasher.text(program_version());
     hasher.u64(level.mesh.fingerprint());
-    hasher.u64(scene_fingerprint(scene.at(0.0, world.options.dt)));
+    hasher.u64(level_fingerprint(level, scene.at(0.0, world.options.dt)));
     for (const SettingInfo& info : settings_table()) {
         hasher.text(info.name);
         hasher.f64(get_setting(level.movement, info));
     }
-    for (const Platform& platform : level.platforms) {
-        hasher.text(platform.group);
-        hasher.u64(static_cast<std::uint64_t>(platform.repeat));
-        add(platform.spin_axis);
-        add(platform.spin_pivot);
-        hasher.f64(platform.spin_rate);
-        hasher.f64(platform.phase_s);
-        for (const PathPoint& point : platform.path) {
-            add(point.offset);
-            hasher.f64(point.speed);
-            hasher.f64(point.pause_s);
-        }
-    }
-    if (level.terrain)
-        for (const double height : level.terrain->heights)
-            hasher.f64(height);
-    hasher.f64(level.fall_limit.value_or(-1e300));
-    hasher.f64(level.sectors.size);
-    add(level.sectors.placement);
     for (const Goal& goal : level.goals) {
         add(goal.position);
         hasher.f64(goal.radius);

@@ -14,6 +14,7 @@
 #include "slipface/level/level_scene.h"
 #include "slipface/level/shown_mesh.h"
 #include "slipface/movement/first_contact.h"
+#include "slipface/sim/level_fingerprint.h"
 #include "slipface/sim/story.h"
 
 namespace slipface {
@@ -61,24 +62,9 @@ Status check_options(const Level& level, const AuditOptions& options) {
 // What two parts of one audit must have in common beside geometry and settings.
 std::uint64_t scene_fingerprint_of(const Level& level, const MovementScene& at_first) {
     Hasher hasher;
-    hasher.u64(scene_fingerprint(at_first));
+    hasher.u64(level_fingerprint(level, at_first));
     for (int axis = 0; axis < 3; ++axis)
         hasher.f64(level.spawn[axis]);
-    for (const Platform& platform : level.platforms) {
-        hasher.text(platform.group);
-        hasher.u64(static_cast<std::uint64_t>(platform.repeat));
-        for (const Vec3& vector : {platform.spin_axis, platform.spin_pivot})
-            for (int axis = 0; axis < 3; ++axis)
-                hasher.f64(vector[axis]);
-        hasher.f64(platform.spin_rate);
-        hasher.f64(platform.phase_s);
-        for (const PathPoint& point : platform.path) {
-            for (int axis = 0; axis < 3; ++axis)
-                hasher.f64(point.offset[axis]);
-            hasher.f64(point.speed);
-            hasher.f64(point.pause_s);
-        }
-    }
     return hasher.value();
 }
 

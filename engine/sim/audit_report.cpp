@@ -181,7 +181,8 @@ std::string difference(const AuditReport& a, const AuditReport& b) {
         if (!same) words += words.empty() ? what : std::string(", ") + what;
     };
     compare(a.level_fingerprint == b.level_fingerprint, "geometry");
-    compare(a.scene_fingerprint == b.scene_fingerprint, "surface types, spawn or platforms");
+    compare(a.scene_fingerprint == b.scene_fingerprint,
+            "surface types, spawn, platforms, terrain, sectors or fall limit");
     compare(a.settings_hash == b.settings_hash, "settings");
     compare(a.program == b.program, "program");
     compare(a.walkers == b.walkers, "number of walkers");

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <set>
 
 #include "slipface/base/hash.h"
 #include "slipface/base/parallel.h"
@@ -147,6 +148,24 @@ TEST(Audit, PaintSpawnAndPlatformsMakeAnotherAudit) {
     level = box_level();
     level.spawn.x() = 0.5;
     EXPECT_NE(run_audit(level, short_audit()).value().scene_fingerprint, plain);
+    level = box_level();
+    level.fall_limit = -50.0;
+    EXPECT_NE(run_audit(level, short_audit()).value().scene_fingerprint, plain);
+    Heightfield hill{
+        .columns = 2, .rows = 2, .heights = {-9, -9, -9, -9}, .origin = Vec3(90, 0, 90), .size = {1, 1}};
+    std::set<std::uint64_t> found{plain};
+    const auto with_hill = [&] {
+        level = box_level();
+        level.terrain = std::make_shared<const Heightfield>(hill);
+        return found.insert(run_audit(level, short_audit()).value().scene_fingerprint).second;
+    };
+    EXPECT_TRUE(with_hill());
+    hill.heights[3] = -8;
+    EXPECT_TRUE(with_hill());
+    hill.origin.x() += 1;
+    EXPECT_TRUE(with_hill());
+    hill.size.y() = 2;
+    EXPECT_TRUE(with_hill());
 }
 
 // A wall that only stops from outside: rays see it, so the level counts as closed, but walkers get through.
