@@ -118,6 +118,7 @@ struct HistoryStep {
     bool keeps_file = false;  // the level file is the same with and without it
 
     bool changes_file() const;  // false: it changes only the selection
+    std::size_t bytes() const;  // that it holds, about
 };
 
 class Document {
@@ -266,7 +267,9 @@ class Document {
     void cancel();
     bool in_transaction() const { return depth_ > 0; }
 
-    // undo and redo do nothing during a transaction or at the end of the list.
+    // undo and redo do nothing during a transaction or at the end of the list. Beyond max_history_bytes the
+    // oldest steps are forgotten; the last one never is.
+    static constexpr std::size_t max_history_bytes = std::size_t{256} << 20;
     bool can_undo() const { return depth_ == 0 && cursor_ > 0; }
     bool can_redo() const { return depth_ == 0 && cursor_ < history_.size(); }
     void undo();
@@ -276,9 +279,11 @@ class Document {
     // How many steps the file has; nothing: the saved state is no longer in the history.
     std::optional<std::size_t> saved_cursor() const { return saved_cursor_; }
     void go_to(std::size_t cursor);  // undoes or redoes up to that step
-    // After an exception: cancels an open transaction and undoes the steps after `cursor`. (A change that
-    // throws leaves the document as it was; but an action may consist of several.)
-    void roll_back(std::size_t cursor);
+    // After an exception: cancels an open transaction and undoes the steps after `mark`, history_mark()
+    // before the action. (A change that throws leaves the document as it was; but an action may consist of
+    // several.)
+    void roll_back(std::size_t mark);
+    std::size_t history_mark() const { return forgotten_ + cursor_; }
 
   private:
     // What a set of edits changed, so that only that is computed again.
@@ -330,6 +335,7 @@ class Document {
     void perform(std::string step_name, Edit edit);
     void record(HistoryStep step);
     void push(HistoryStep step);
+    void forget_oldest();
 
     Level level_;
     SurfaceParts unpainted_;  // as if there were no overrides
@@ -349,7 +355,7 @@ class Document {
     std::vector<FaceId> selection_;
     std::vector<std::uint8_t> hidden_flags_;  // [face]; of level_.hidden
     std::vector<HistoryStep> history_;
-    std::size_t cursor_ = 0;
+    std::size_t cursor_ = 0, forgotten_ = 0;       // steps
     std::optional<std::size_t> saved_cursor_ = 0;  // nothing: the saved state left the history
     HistoryStep open_step_;
     int depth_ = 0;

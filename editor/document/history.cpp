@@ -113,6 +113,7 @@ void Document::push(HistoryStep step) {
     history_.erase(history_.begin() + static_cast<std::ptrdiff_t>(cursor_), history_.end());
     history_.push_back(std::move(step));
     ++cursor_;
+    forget_oldest();
 }
 
 void Document::begin(std::string name) {
@@ -141,10 +142,10 @@ void Document::cancel() {
     if (!step.edits.empty()) apply(step, false);
 }
 
-void Document::roll_back(std::size_t cursor) {
+void Document::roll_back(std::size_t mark) {
     while (depth_ > 0)
         cancel();
-    if (cursor_ > cursor) go_to(cursor);
+    if (history_mark() > mark) go_to(std::max(mark, forgotten_) - forgotten_);
 }
 
 void Document::undo() {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "document/document.h"
 #include "level_fixture.h"
@@ -375,6 +376,35 @@ TEST_F(DocumentTest, GoesToAnyStep) {
     EXPECT_EQ(document->face_count_of(ice), 5u);
     document->go_to(99);
     EXPECT_EQ(document->history_cursor(), 5u);
+}
+
+// However long the work, the history holds no more than its limit, and what is left of it can be undone.
+TEST_F(DocumentTest, HistoryForgetsItsOldestSteps) {
+    constexpr int side = 400;
+    write_text(obj, floor_and_wall_obj(side));
+    const auto document = open();
+    std::vector<FaceId> all(side * side);
+    std::iota(all.begin(), all.end(), FaceId{0});
+    const std::size_t stroke = all.size() * sizeof(FaceEdit::Face);
+    const std::size_t strokes = Document::max_history_bytes / stroke + 20;
+    const std::size_t mark = document->history_mark();
+    for (std::size_t i = 0; i < strokes; ++i)
+        document->paint(all, i % 2 == 0 ? ice : ladder);
+    std::size_t held = 0;
+    for (const HistoryStep& step : document->history())
+        held += step.bytes();
+    EXPECT_LE(held, Document::max_history_bytes);
+    EXPECT_GT(held, Document::max_history_bytes - 2 * stroke);
+    EXPECT_EQ(document->history_cursor(), document->history().size());
+    EXPECT_EQ(document->history_mark(), mark + strokes);
+    EXPECT_FALSE(document->saved_cursor());
+    EXPECT_TRUE(document->dirty());
+    document->roll_back(mark + strokes - 3);
+    EXPECT_EQ(document->history_mark(), mark + strokes - 3);
+    document->roll_back(mark);
+    EXPECT_EQ(document->history_cursor(), 0u) << "as far as there is a history";
+    EXPECT_TRUE(document->dirty());
+    EXPECT_NE(document->surface_of(0), default_surface);
 }
 
 class RecentFilesTest : public LevelFixture {

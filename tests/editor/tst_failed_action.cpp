@@ -101,7 +101,7 @@ TEST_F(FailedAction, LeavesTheDocumentAsItWas) {
         action_failed(editor, start, "out of memory");
         ASSERT_EQ(state(), before) << "action " << which % 9;
         ASSERT_EQ(document().selection().size(), selected);
-        ASSERT_EQ(document().history_cursor(), start.cursor);
+        ASSERT_EQ(document().history_mark(), start.mark);
         ASSERT_FALSE(document().in_transaction());
         const ResolvedSurfaces fresh = resolve_surfaces(document().level());
         ASSERT_EQ(document().resolved().surface, fresh.surface);

@@ -8,7 +8,7 @@ namespace slipface {
 
 Checkpoint checkpoint(const Editor& editor) {
     const Document* const document = editor.document.get();
-    return {document, document != nullptr ? document->history_cursor() : 0};
+    return {document, document != nullptr ? document->history_mark() : 0};
 }
 
 void action_failed(Editor& editor, const Checkpoint& before, const char* what) {
@@ -22,7 +22,7 @@ void action_failed(Editor& editor, const Checkpoint& before, const char* what) {
     editor.live_edit = false;
     Document* const document = editor.document.get();
     if (document != nullptr) {
-        if (document == before.document) attempt([&] { document->roll_back(before.cursor); });
+        if (document == before.document) attempt([&] { document->roll_back(before.mark); });
         attempt([&] { editor.session.autosave.write_now(*document, document->level().file_path); });
     }
     attempt([&] {

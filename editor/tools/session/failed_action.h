@@ -11,7 +11,7 @@ class Document;
 // Where the document stands before an action.
 struct Checkpoint {
     const Document* document = nullptr;
-    std::size_t cursor = 0;  // Document::history_cursor()
+    std::size_t mark = 0;  // Document::history_mark()
 };
 Checkpoint checkpoint(const Editor& editor);
 // The document returns to the checkpoint, its unsaved changes are autosaved, and a message says so. `what`:
