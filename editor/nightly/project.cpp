@@ -49,7 +49,7 @@ Result<std::vector<std::string>> files_of(const fs::path& folder, const std::str
     }
     if (files.empty())
         return Error{location, fmt::format("found \"{}\", expected a file, or a pattern that fits one, in {}",
-                                           pattern, folder.empty() ? "." : folder.string())};
+                                           pattern, folder.string())};
     return files;
 }
 
@@ -178,8 +178,9 @@ Result<Project> load_project(const fs::path& file) {
     for (const auto& [key, value] : root.items())
         if (key != "slipface_nightly" && key != "levels" && key != "presets" && key != "checks")
             return Error{location + ":/" + key, "expected slipface_nightly, levels, presets or checks"};
-    Project project{
-        .folder = file.parent_path(), .fingerprint = fingerprint_of_files({&file, 1}), .items = {}};
+    Project project{.folder = file.has_parent_path() ? file.parent_path() : ".",
+                    .fingerprint = fingerprint_of_files({&file, 1}),
+                    .items = {}};
 
     const auto checks = checks_of(root, location + ":/checks");
     if (!checks) return checks.error();

@@ -41,7 +41,7 @@ Result<Child> start(std::vector<std::string> words, const fs::path& work, const 
         pointers.push_back(word.data());
     pointers.push_back(nullptr);
     Child child{.pid = -1, .out = files / "out.txt", .err = files / "err.txt"};
-    const std::string folder = work.empty() ? "." : work.string();
+    const std::string folder = work.string();
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);

@@ -52,6 +52,24 @@ class Nightly : public testing::Test {
     ScratchFolder folder_;
 };
 
+// However the file is named, what it names lies in its folder.
+TEST_F(Nightly, PatternsStartInTheFolderOfTheFile) {
+    folder_.write("levels/project.json",
+                  R"({"slipface_nightly": 1, "levels": ["*.obj", "?.obj"], "checks": {"doctor": ""}})");
+    const std::string here = "cd '" + (folder_ / "levels").string() + "' && ";
+    std::string expected;
+    for (const std::string& name :
+         {std::string("project.json"), std::string("./project.json"), std::string("../levels/project.json"),
+          (folder_ / "levels/project.json").string()}) {
+        const ProgramRun run = run_program(
+            "-c \"" + here + SLIPFACE_PROGRAM + " nightly '" + name + "' --fresh --out out\"", 60, "sh");
+        EXPECT_EQ(run.exit_code, 1) << name << ": " << run.output;
+        EXPECT_NE(run.output.find("b & c.obj: doctor"), std::string::npos) << run.output;
+        if (expected.empty()) expected = text_of(folder_ / "levels/out/junit.xml");
+        EXPECT_EQ(text_of(folder_ / "levels/out/junit.xml"), expected) << name;
+    }
+}
+
 TEST_F(Nightly, ReportsWorstFirstWithTapesThatRepeat) {
     const ProgramRun run = nightly("out");
     EXPECT_EQ(run.exit_code, 1) << run.output;
