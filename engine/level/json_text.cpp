@@ -38,7 +38,10 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
 
     bool null() override { return add(Json{}); }
     bool boolean(bool value) override { return add(json_bool(value)); }
-    bool number_integer(number_integer_t value) override { return add_number(std::to_string(value)); }
+    // Only numbers with a minus; that of -0 is lost in the value.
+    bool number_integer(number_integer_t value) override {
+        return add_number(value == 0 ? "-0" : std::to_string(value));
+    }
     bool number_unsigned(number_unsigned_t value) override { return add_number(std::to_string(value)); }
     bool number_float(number_float_t, const string_t& spelling) override { return add_number(spelling); }
     bool string(string_t& value) override { return add(json_string(value)); }

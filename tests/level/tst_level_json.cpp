@@ -178,7 +178,7 @@ TEST(LevelJson, UnknownKeysAreKeptWhereTheyStand) {
     for (int i = 0; i < 60; ++i)
         deep = "[" + deep + "]";
     const std::string unknown_top =
-        R"({"b": [1, 2.50, 1e3, 123456789012345678901234567890, -0.0], "a": {"z": null, "y": true, "text": "\u00e4\n\u0000"}})";
+        R"({"b": [1, 2.50, 1e3, 123456789012345678901234567890, -0.0, -0, -7], "a": {"z": null, "y": true, "text": "\u00e4\n\u0000"}})";
     const std::string json = R"({"slipface": 1, "studio": )" + unknown_top + R"(, "deep": )" + deep + R"(,
         "surfaces": [{"name": "default", "sound": "thud.ogg"}, {"name": "ice", "sound": {"file": "crack.ogg"}}],
         "rules": [{"pattern": "*", "type": "ice", "note": 1}, {"pattern": "*", "type": "default", "note": 2}],
@@ -201,7 +201,7 @@ TEST(LevelJson, UnknownKeysAreKeptWhereTheyStand) {
     EXPECT_EQ(again->level.unknown, loaded->level.unknown);
     EXPECT_EQ(level_to_json(again->level), saved);
 
-    EXPECT_THAT(saved, HasSubstr("\"b\": [1, 2.50, 1e3, 123456789012345678901234567890, -0.0]"));
+    EXPECT_THAT(saved, HasSubstr("\"b\": [1, 2.50, 1e3, 123456789012345678901234567890, -0.0, -0, -7]"));
     EXPECT_THAT(saved, HasSubstr("\"text\": \"\xC3\xA4\\n\\u0000\""));
     EXPECT_THAT(saved, HasSubstr("\"sound\": \"thud.ogg\""));
     const std::size_t ice = saved.find("\"name\": \"ice\"");
