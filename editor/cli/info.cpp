@@ -7,7 +7,7 @@
 
 #include "cli/format.h"
 #include "cli/verbs.h"
-#include "slipface/base/system.h"
+#include "slipface/base/named_file.h"
 #include "slipface/image/image.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/level_file.h"
@@ -44,28 +44,25 @@ void add_texture_warnings(LoadedLevel& loaded) {
     for (const Material& material : loaded.level.mesh->materials) {
         if (material.texture.empty() || !known.insert(material.texture).second) continue;
         const std::string location = location_of(material);
-        if (material.picture) {
-            const Status status = check_image_header(*material.picture, "picture " + material.texture);
-            if (!status) found.push_back({location, status.error().text()});
+        const Result<TextureBytes> read = read_texture(material, folder);
+        if (!read) {
+            found.push_back({location, read.error().message});
             continue;
         }
-        const auto [path, refused] = find_texture(material.texture, folder, TextureAccess::folder);
-        if (refused) {
-            found.push_back(
-                {location, fmt::format("the texture \"{}\" lies outside the level's folder: not read",
-                                       material.texture)});
-        } else if (!path) {
-            found.push_back({location, fmt::format("found no texture \"{}\" in {}", material.texture,
-                                                   folder.empty() ? "." : folder.string())});
-        } else if (const Status status = check_image(*path); !status) {
+        if (!read->note.empty()) found.push_back({location, read->note});
+        if (const Status status = check_image_header(read->bytes, read->location); !status)
             found.push_back({location, status.error().text()});
-        }
     }
     const std::optional<LevelLight>& light = loaded.level.light;
-    if (light && !light->image.empty() && !light_fits(*loaded.level.mesh, *light))
-        found.push_back({(folder / path_of(light->image)).string(),
-                         "was baked for other geometry and is not drawn; bake it again with \"slipface "
-                         "bake-light\""});
+    if (light && !light->image.empty()) {
+        const NamedFile image = named_file(light->image, loaded.level.file_path.parent_path());
+        if (!image)
+            found.push_back({image.path.string(), image.error().message + "; drawn without baked light"});
+        else if (!light_fits(*loaded.level.mesh, *light))
+            found.push_back({image.path.string(),
+                             "was baked for other geometry and is not drawn; bake it again with \"slipface "
+                             "bake-light\""});
+    }
     const std::size_t listed = std::min(found.size(), maximum);
     loaded.warnings.insert(loaded.warnings.end(), found.begin(),
                            found.begin() + static_cast<std::ptrdiff_t>(listed));

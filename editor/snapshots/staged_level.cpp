@@ -6,8 +6,10 @@
 #include "goldens/level_digest.h"
 #include "slipface/base/files.h"
 #include "slipface/base/hash.h"
+#include "slipface/base/named_file.h"
 #include "slipface/base/text.h"
 #include "slipface/level/level_file.h"
+#include "slipface/mesh/texture_file.h"
 #include "slipface/scenes/demo.h"
 
 namespace slipface {
@@ -23,18 +25,15 @@ std::uint64_t text_hash(const std::string& text) {
 // Hashes of all image files that the level is drawn with, including the baked light.
 Numbers textures_json(const Level& level) {
     Numbers textures = Numbers::object();
-    const auto add_file = [&](const std::string& name) {
-        const Result<std::string> bytes = read_file(level.mesh_path.parent_path() / name);
-        textures[name] = hex_text(text_hash(bytes ? *bytes : std::string()));
-    };
-    if (level.light && !level.light->image.empty()) add_file(level.light->image);
+    if (level.light && !level.light->image.empty()) {
+        const NamedFile file = named_file(level.light->image, level.file_path.parent_path());
+        const Result<std::string> bytes = file ? read_file(file.path) : Result<std::string>(file.error());
+        textures[level.light->image] = hex_text(text_hash(bytes ? *bytes : std::string()));
+    }
     for (const Material& material : level.mesh->materials) {
         if (material.texture.empty() || textures.contains(material.texture)) continue;
-        if (material.picture) {
-            textures[material.texture] = hex_text(text_hash(*material.picture));
-        } else {
-            add_file(material.texture);
-        }
+        const Result<TextureBytes> read = read_texture(material, level.mesh_path.parent_path());
+        textures[material.texture] = hex_text(text_hash(read ? read->bytes : std::string()));
     }
     return textures;
 }

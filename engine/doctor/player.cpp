@@ -373,8 +373,8 @@ void find_missing_textures(const Patient& patient, Problems& out) {
         first_face.try_emplace(mesh.face_material[face], face);
     for (std::size_t i = 0; i < mesh.materials.size(); ++i) {
         const Material& material = mesh.materials[i];
-        if (material.texture.empty() || material.picture ||
-            find_texture(material.texture, folder, TextureAccess::anywhere).path)
+        if (material.texture.empty() || material.picture) continue;
+        if (const FoundTexture found = find_texture(material.texture, folder); found.path || found.refused)
             continue;
         const auto face = first_face.find(static_cast<std::uint32_t>(i));
         const FaceId where = face == first_face.end() ? no_id : face->second;

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "slipface/base/files.h"
-#include "slipface/base/system.h"
+#include "slipface/base/named_file.h"
 #include "slipface/base/text.h"
 #include "slipface/mesh/obj_lines.h"
 
@@ -71,14 +71,12 @@ std::vector<fs::path> libraries_of(const Level& level, std::string_view obj) {
     std::vector<fs::path> paths;
     for (const ObjStatement& statement : obj_statements(obj)) {
         if (statement.kind != ObjStatement::Kind::library) continue;
-        const fs::path name =
-            path_of(obj.substr(statement.name_begin, statement.name_end - statement.name_begin));
+        const NamedFile library =
+            named_file(obj.substr(statement.name_begin, statement.name_end - statement.name_begin), folder);
         std::error_code error;
-        const bool here = !name.has_root_path() && !name.empty() && *name.lexically_normal().begin() != "..";
-        const fs::path path = folder / name;
-        if (here && fs::is_regular_file(fs::symlink_status(path, error)) &&
-            std::find(paths.begin(), paths.end(), path) == paths.end())
-            paths.push_back(path);
+        if (library && fs::is_regular_file(fs::symlink_status(library.path, error)) &&
+            std::find(paths.begin(), paths.end(), library.path) == paths.end())
+            paths.push_back(library.path);
     }
     return paths;
 }

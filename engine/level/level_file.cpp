@@ -13,9 +13,11 @@
 #include "found_in_file.h"
 #include "level_json.h"
 #include "slipface/base/files.h"
+#include "slipface/base/named_file.h"
 #include "slipface/base/system.h"
 #include "slipface/base/text.h"
 #include "slipface/level/find_start.h"
+#include "slipface/mesh/formats.h"
 #include "slipface/mesh/import.h"
 #include "slipface/mesh/upright.h"
 
@@ -34,8 +36,7 @@ bool is_level_file(const fs::path& path) {
     return to_lower(path.extension().string()) == ".json";
 }
 
-// A relative path may not lead out of the folder: a level from elsewhere must not make the editor open any
-// file it names.
+// An absolute path may lead anywhere: a level file saved in another folder than its geometry has one.
 Result<fs::path> mesh_of_level_file(const fs::path& file_path, const Json& root) {
     const std::string location = file_path.string();
     const Json* mesh = root.find("mesh");
@@ -44,13 +45,13 @@ Result<fs::path> mesh_of_level_file(const fs::path& file_path, const Json& root)
                                                       mesh == nullptr ? "nothing" : json_kind_text(*mesh))};
     }
     const fs::path name = path_of(mesh->text);
-    const fs::path normal = name.lexically_normal();
-    if (!name.is_absolute() && !normal.empty() && *normal.begin() == "..") {
+    const fs::path folder = file_path.parent_path();
+    if (!name.is_absolute() && named_file(mesh->text, folder).state == NamedFile::State::outside) {
         return Error{location + ":/mesh",
                      fmt::format("found {}, expected a path inside the level's folder or an absolute one",
                                  json_quoted(json_excerpt(mesh->text)))};
     }
-    return file_path.parent_path() / normal;
+    return folder / name.lexically_normal();
 }
 
 Result<LoadedLevel> load_mesh(const fs::path& mesh_path, const ImportTransform& transform, Progress* progress,
@@ -266,7 +267,7 @@ Result<LoadedLevel> reload_mesh(const Level& level, const ImportTransform& trans
 }
 
 bool mesh_changed_on_disk(const Level& level) {
-    const Result<std::string> bytes = read_file(level.mesh_path);
+    const Result<std::string> bytes = read_file(level.mesh_path, max_geometry_bytes);
     return !bytes || file_stamp(*bytes) != level.mesh_stamp;
 }
 
@@ -308,9 +309,16 @@ LevelFiles files_of_level(const fs::path& path) {
         if (is_level_file(path))
             if (const Result<fs::path> named = mesh_of_level_file(file_path, *root); named) mesh = *named;
         if (const Json* goals = root->find("goals")) found.goals = goals->items.size();
-        const Json* field = root->find("heightfield");
-        const Json* image = field != nullptr ? field->find("file") : nullptr;
-        if (image != nullptr) found.files.push_back(file_path.parent_path() / path_of(image->text));
+        const auto add_named = [&](const Json* object, const char* key, const fs::path& folder) {
+            const Json* name = object != nullptr ? object->find(key) : nullptr;
+            if (name == nullptr || name->text.empty()) return;
+            const NamedFile file = named_file(name->text, folder);
+            if (file.state != NamedFile::State::outside) found.files.push_back(file.path);
+        };
+        add_named(root->find("heightfield"), "file", file_path.parent_path());
+        if (const Json* props = root->find("props"))
+            for (const Json& prop : props->items)
+                add_named(&prop, "mesh", mesh.parent_path());
     }
     found.files.push_back(mesh);
     const std::string ending = to_lower(mesh.extension().string());

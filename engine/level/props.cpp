@@ -11,10 +11,11 @@
 #include "json_text.h"
 #include "mesh_collision.h"
 #include "placed_geometry.h"
-#include "slipface/base/files.h"
 #include "slipface/base/hash.h"
+#include "slipface/base/named_file.h"
 #include "slipface/base/system.h"
 #include "slipface/level/level.h"
+#include "slipface/level/prop_materials.h"
 #include "slipface/mesh/build.h"
 #include "slipface/mesh/material_looks.h"
 
@@ -47,16 +48,12 @@ fs::path geometry_folder(const Level& level) {
     return (level.mesh_path.empty() ? level.file_path : level.mesh_path).parent_path();
 }
 
-// Only files in the folder of the level's geometry or below are read, as for textures.
 PropMesh read_mesh(const fs::path& folder, const std::string& file, Warnings& warnings) {
     PropMesh read{file, nullptr, nullptr, {}};
-    const fs::path path = folder / path_of(file);
-    std::error_code error;
-    if (path_of(file).has_root_path() || !lies_within(path, folder)) {
-        read.problem = "lies outside the level's folder";
-    } else if (!fs::exists(path, error)) {
-        read.problem = "there is no such file";
-    } else if (Result<ImportedMesh> imported = import_mesh(path, max_warnings_of_mesh); !imported) {
+    const NamedFile path = named_file(file, folder);
+    if (!path) {
+        read.problem = path.error().message;
+    } else if (Result<ImportedMesh> imported = import_mesh(path.path, max_warnings_of_mesh); !imported) {
         read.problem = imported.error().text();
     } else if (auto shared = build_shared_collision(*imported->mesh); !shared) {
         read.problem = shared.error().text();
@@ -146,15 +143,7 @@ class Placer {
         const auto [entry, added] =
             materials_.try_emplace({file, texture}, static_cast<std::uint32_t>(to_.materials.size()));
         if (!added) return entry->second;
-        const fs::path folder = path_of(file).parent_path();
-        for (Material material : from.materials) {
-            if (!texture.empty()) {
-                material.texture = texture;
-                material.picture = nullptr;
-                material.diffuse = Vec3f::Ones();
-            } else if (!material.texture.empty() && !material.picture) {
-                material.texture = (folder / path_of(material.texture)).generic_string();
-            }
+        for (Material& material : prop_materials(from, file, texture)) {
             looks_.name(material);
             to_.materials.push_back(std::move(material));
         }
@@ -169,6 +158,31 @@ class Placer {
 };
 
 }  // namespace
+
+std::vector<Material> prop_materials(const Mesh& mesh, const std::string& file, const std::string& texture) {
+    const fs::path folder = path_of(file).parent_path();
+    std::vector<Material> materials = mesh.materials;
+    for (Material& material : materials) {
+        if (!texture.empty()) {
+            material.texture = texture;
+            material.picture = nullptr;
+            material.diffuse = Vec3f::Ones();
+        } else if (!material.texture.empty() && !material.picture) {
+            material.texture = (folder / path_of(material.texture)).generic_string();
+        }
+    }
+    return materials;
+}
+
+MeshPtr drawn_prop_mesh(const MeshPtr& mesh, const std::string& file, const std::string& texture) {
+    const bool has_files = std::ranges::any_of(mesh->materials, [](const Material& material) {
+        return !material.texture.empty() && !material.picture;
+    });
+    if (texture.empty() && (!has_files || path_of(file).parent_path().empty())) return mesh;
+    auto drawn = std::make_shared<Mesh>(*mesh);
+    drawn->materials = prop_materials(*mesh, file, texture);
+    return drawn;
+}
 
 std::string props_problem(std::span<const Prop> props) {
     if (props.size() > max_props) return fmt::format("A level has at most {} props", max_props);

@@ -1,7 +1,7 @@
 // Terrain from an image.
 #include <fmt/format.h>
 
-#include "slipface/base/system.h"
+#include "slipface/base/named_file.h"
 #include "slipface/level/level_file.h"
 
 namespace slipface {
@@ -29,7 +29,9 @@ Heightfield make_heightfield(const HeightfieldSource& source, const GreyImage& i
 Status load_terrain(Level& level) {
     level.terrain.reset();
     if (!level.heightfield) return {};
-    const std::filesystem::path path = level.file_path.parent_path() / path_of(level.heightfield->file);
+    const NamedFile file = named_file(level.heightfield->file, level.file_path.parent_path());
+    if (!file) return file.error();
+    const std::filesystem::path& path = file.path;
     const Result<GreyImage> image = load_grey_image(path, max_terrain_side);
     if (!image) return image.error();
     if (image->width < 2 || image->height < 2) {

@@ -16,10 +16,8 @@ Vec3 squared(const Vec3& color) {
 }
 
 Result<Image> material_image(const Material& material, const std::filesystem::path& folder) {
-    if (material.picture) return decode_image(*material.picture, material.texture);
-    const FoundTexture file = find_texture(material.texture, folder, TextureAccess::folder);
-    if (!file.path) return Error{material.texture, "was not found"};
-    return load_image(*file.path);
+    const Result<TextureBytes> read = read_texture(material, folder);
+    return read ? decode_image(read->bytes, read->location) : Result<Image>(read.error());
 }
 
 // The mean colour of a material's texture, linear; the material's own colour if there is no texture.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "level_renderer_impl.h"
+#include "slipface/level/prop_materials.h"
 
 namespace slipface {
 
@@ -63,18 +64,14 @@ LevelProps::LevelProps(GlTable gl, std::shared_ptr<LevelPrograms> programs)
 LevelProps::~LevelProps() = default;
 
 LevelProps::Shown* LevelProps::upload(const Level& level, const Prop& prop, Warnings& warnings) {
-    const std::filesystem::path folder = level.mesh_path.parent_path(), texture = folder / prop.texture;
     shown_.push_back(std::make_unique<Shown>());
     Shown& shown = *shown_.back();
     shown.mesh = find_prop_mesh(level, prop.mesh)->mesh;
     shown.file = prop.mesh;
     shown.texture = prop.texture;
     shown.renderer.reset(new LevelRenderer(std::make_unique<LevelRenderer::Impl>(gl_, programs_)));
-    const Warnings found =
-        prop.texture.empty()
-            ? shown.renderer->set_instances(shown.mesh, (folder / prop.mesh).parent_path())
-            : shown.renderer->set_instances(with_texture(*shown.mesh, texture.filename().string()),
-                                            texture.parent_path());
+    const Warnings found = shown.renderer->set_instances(drawn_prop_mesh(shown.mesh, prop.mesh, prop.texture),
+                                                    level.mesh_path.parent_path());
     warnings.insert(warnings.end(), found.begin(), found.end());
     return &shown;
 }

@@ -78,16 +78,15 @@ std::size_t LevelRenderer::face_state_bytes_uploaded() const {
     return impl_->face_state.bytes_uploaded();
 }
 
-Warnings LevelRenderer::set_mesh(MeshPtr mesh, const std::filesystem::path& folder, TextureAccess textures) {
-    return set(std::move(mesh), folder, textures, false);
+Warnings LevelRenderer::set_mesh(MeshPtr mesh, const std::filesystem::path& folder) {
+    return set(std::move(mesh), folder, false);
 }
 
 Warnings LevelRenderer::set_instances(MeshPtr mesh, const std::filesystem::path& folder) {
-    return set(std::move(mesh), folder, TextureAccess::folder, true);
+    return set(std::move(mesh), folder, true);
 }
 
-Warnings LevelRenderer::set(MeshPtr mesh, const std::filesystem::path& folder, TextureAccess textures,
-                            bool instances) {
+Warnings LevelRenderer::set(MeshPtr mesh, const std::filesystem::path& folder, bool instances) {
     Warnings warnings;
     impl_->mesh = std::move(mesh);
     impl_->batches.clear();
@@ -104,7 +103,7 @@ Warnings LevelRenderer::set(MeshPtr mesh, const std::filesystem::path& folder, T
     if (impl_->mesh) {
         const bool moves = instances && impl_->mesh->rig;
         impl_->origin = moves ? Vec3(Vec3::Zero()) : drawing_origin(*impl_->mesh);
-        warnings = impl_->textures.load(*impl_->mesh, folder, textures);
+        warnings = impl_->textures.load(*impl_->mesh, folder);
         if (moves)
             impl_->upload_geometry(before_bones(*impl_->mesh), warnings);
         else

@@ -51,7 +51,7 @@ bool is_opaque(const Image& image) {
 
 }  // namespace
 
-Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& folder, TextureAccess access) {
+Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& folder) {
     clear();
     Warnings warnings;
     std::size_t unlisted = 0;
@@ -77,22 +77,13 @@ Warnings LevelTextures::load(const Mesh& mesh, const std::filesystem::path& fold
     };
     const auto load_one = [&](const Material& material) -> std::uint32_t {
         const std::string position = location_of(material);
-        const auto [path, refused] =
-            material.picture ? FoundTexture{} : find_texture(material.texture, folder, access);
-        if (refused)
-            warn(position, "the texture \"" + material.texture +
-                               "\" lies outside the level's folder: not read" +
-                               (path ? "; the image with that name in the level's folder is used"
-                                     : "; drawn as a checker"));
-        if (!path && refused) return use_checker();
-        if (!path && !material.picture) {
-            warn(position, "found no texture \"" + material.texture + "\" in " +
-                               (folder.empty() ? "." : folder.string()) + "; drawn as a checker");
+        const Result<TextureBytes> read = read_texture(material, folder);
+        if (!read) {
+            warn(position, read.error().message + "; drawn as a checker");
             return use_checker();
         }
-        Result<Image> image =
-            path ? load_image(*path, max_file_side)
-                 : decode_image(*material.picture, "picture " + material.texture, max_file_side);
+        if (!read->note.empty()) warn(position, read->note);
+        Result<Image> image = decode_image(read->bytes, read->location, max_file_side);
         if (!image) {
             warn(position, image.error().text() + "; drawn as a checker");
             return use_checker();

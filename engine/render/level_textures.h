@@ -22,7 +22,7 @@ class LevelTextures {
 
     // Loads each file once, even if several materials name it. A file that cannot be loaded gives a checker
     // and a warning.
-    Warnings load(const Mesh& mesh, const std::filesystem::path& folder, TextureAccess access);
+    Warnings load(const Mesh& mesh, const std::filesystem::path& folder);
     void clear();
 
     const std::vector<std::uint32_t>& material_texture() const { return material_texture_; }  // [material]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "slipface/base/named_file.h"
 #include "slipface/image/image.h"
 #include "slipface/mesh/light_charts.h"
 
@@ -50,7 +51,9 @@ Warnings LightMap::load(const Mesh& mesh, std::size_t drawn_faces, const LevelLi
                         const std::filesystem::path& folder, const Vec3& origin) {
     clear();
     if (light.image.empty()) return {};
-    const std::filesystem::path path = folder / light.image;
+    const NamedFile file = named_file(light.image, folder);
+    if (!file) return {{file.path.string(), file.error().message + "; drawn without baked light"}};
+    const std::filesystem::path& path = file.path;
     const auto refused = [&](const std::string& reason) {
         return Warnings{{path.string(), reason + "; drawn without baked light"}};
     };

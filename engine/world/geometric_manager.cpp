@@ -1,6 +1,9 @@
 #include "slipface/world/geometric_manager.h"
 
 #include <algorithm>
+#include <map>
+
+#include "slipface/level/prop_materials.h"
 
 namespace slipface {
 
@@ -19,6 +22,14 @@ Result<std::unique_ptr<GeometricManager>> GeometricManager::make(Level level) {
     manager->scene_ = std::move(*scene);
     if (has_instances(manager->level_) && !manager->level_.light)
         manager->own_ = without_props(manager->level_);
+    std::map<std::pair<std::string_view, std::string_view>, MeshPtr> drawn;  // by file and texture
+    for (const Prop& prop : manager->level_.props) {
+        const PropMesh* const known = find_prop_mesh(manager->level_, prop.mesh);
+        MeshPtr& mesh = drawn[{prop.mesh, prop.texture}];
+        if (!mesh && known != nullptr && known->mesh)
+            mesh = drawn_prop_mesh(known->mesh, prop.mesh, prop.texture);
+        manager->drawn_.push_back(mesh);
+    }
     return manager;
 }
 
@@ -43,18 +54,14 @@ void GeometricManager::on_draw(Graphics& graphics) {
     if (!own_.mesh) return graphics.draw_level(level_, time_s_);
     graphics.draw_level(own_, time_s_);
     const std::filesystem::path folder = level_.mesh_path.parent_path();
-    for (const Prop& prop : level_.props) {
-        const PropMesh* mesh = find_prop_mesh(level_, prop.mesh);
-        if (mesh == nullptr || !mesh->mesh) continue;
+    for (std::size_t i = 0; i < level_.props.size(); ++i) {
+        const Prop& prop = level_.props[i];
+        if (!drawn_[i]) continue;
         const auto platform = std::ranges::find(level_.platforms, prop.name, &Platform::group);
         Placement at = prop.placement();
         if (platform != level_.platforms.end()) at = moved(at, platform_pose(*platform, time_s_));
-        MeshLook look;
-        if (!prop.texture.empty()) look.texture = folder / prop.texture;
-        pose_at(*mesh->mesh, prop.animation, time_s_, pose_);
-        look.pose = &pose_;
-        look.uv = uv_at(prop.animation, time_s_);
-        graphics.draw_mesh(mesh->mesh, at, (folder / prop.mesh).parent_path(), look);
+        pose_at(*drawn_[i], prop.animation, time_s_, pose_);
+        graphics.draw_mesh(drawn_[i], at, folder, {.texture = {}, .pose = &pose_, .uv = uv_at(prop.animation, time_s_)});
     }
 }
 

@@ -2,8 +2,10 @@
 #include <glad/gl.h>
 
 #include <random>
+#include <set>
 
 #include "drawing.h"
+#include "scratch_folder.h"
 #include "slipface/render/level_renderer.h"
 
 namespace slipface {
@@ -19,6 +21,62 @@ int differing(const Image& a, const Image& b) {
         for (int x = 0; x < props_wide; ++x)
             count += test::delta(a, b, x, y) > 8;
     return count;
+}
+
+// What a prop's materials and its texture name is read by one rule, whether props are drawn alone or as faces
+// of the level, and nothing outside the level's folder is.
+TEST_F(LevelPropsTest, NameTheSameTexturesAsTheirFaces) {
+    const std::filesystem::path root = test::make_scratch_folder(), folder = root / "level";
+    std::filesystem::create_directories(folder / "parts" / "deep");
+    for (const char* file : {"secret.png", "level/a.png", "level/parts/b.png", "level/parts/deep/c.png"})
+        ASSERT_TRUE(save_png(root / file, make_image(2, 2, 90, 90, 90)));
+    std::mt19937 random(3);
+    const std::string names[] = {"",
+                                 "a.png",
+                                 "b.png",
+                                 "parts/b.png",
+                                 "deep/c.png",
+                                 "../a.png",
+                                 "../../secret.png",
+                                 "../secret.png",
+                                 "no.png",
+                                 "C:\\art\\b.png",
+                                 "/tmp/art/a.png",
+                                 (root / "secret.png").string(),
+                                 "c.png",
+                                 "art/../b.png"};
+    int refused = 0;
+    for (int round = 0; round < 120; ++round) {
+        Mesh mesh = *test::make_courtyard().mesh;
+        for (Material& material : mesh.materials)
+            material.texture = names[random() % std::size(names)];
+        Level level;
+        level.mesh_path = folder / "yard.obj";
+        level.file_path = folder / "yard.slipface.json";
+        level.mesh = test::make_courtyard().mesh;
+        Prop prop;
+        prop.name = "part";
+        prop.mesh = round % 2 == 0 ? "parts/part.obj" : "part.obj";
+        prop.texture = random() % 2 == 0 ? names[random() % std::size(names)] : "";
+        level.placed.meshes = {{prop.mesh, std::make_shared<const Mesh>(std::move(mesh)), nullptr, ""}};
+        level.props = {prop};
+        ASSERT_TRUE(place_props(level).empty());
+        const auto messages = [](const Warnings& warnings) {
+            std::set<std::string> all;
+            for (const Diagnostic& warning : warnings)
+                all.insert(warning.message);
+            return all;
+        };
+        LevelRenderer whole(gl()), apart(gl());
+        const auto as_faces = messages(whole.set_mesh(level.mesh.whole(), folder));
+        ASSERT_TRUE(apart.set_mesh(own_mesh(level), folder).empty());
+        const auto alone = messages(apart.set_props(level, resolve_props(level)));
+        EXPECT_EQ(as_faces, alone) << prop.mesh << " " << prop.texture;
+        for (const std::string& message : alone)
+            refused += message.find("lies outside the level's folder: not read; drawn") != std::string::npos;
+    }
+    EXPECT_GT(refused, 10);
+    std::filesystem::remove_all(root);
 }
 
 TEST_F(LevelPropsTest, LookLikeTheirFaces) {

@@ -49,17 +49,10 @@ class PictureWriter {
 
   private:
     std::optional<Texture> make(const Material& material) {
-        fs::path file = material.texture;
-        Result<std::string> bytes = std::string();
-        if (material.picture) {
-            bytes = *material.picture;
-        } else {
-            const FoundTexture found = find_texture(material.texture, level_folder_, TextureAccess::folder);
-            if (!found.path) return std::nullopt;
-            file = *found.path;
-            bytes = read_file(file, std::uint64_t{1} << 30);
-            if (!bytes) return std::nullopt;
-        }
+        Result<TextureBytes> read = read_texture(material, level_folder_);
+        if (!read) return std::nullopt;
+        fs::path file = read->file.empty() ? fs::path(material.texture) : read->file;
+        Result<std::string> bytes = std::move(read->bytes);
         const bool converted = !bytes->starts_with(png_head) && !bytes->starts_with(jpeg_head);
         if (converted) {
             const Result<Image> image = decode_image(*bytes, file.string());

@@ -14,6 +14,7 @@
 #include "obj/obj_text.h"
 #include "slipface/base/base64.h"
 #include "slipface/base/files.h"
+#include "slipface/base/named_file.h"
 
 namespace slipface {
 namespace {
@@ -206,13 +207,11 @@ std::string_view GltfFile::buffer(const GltfValue& reference) {
     if (known != buffers_.end()) return checked(known->second);
     std::optional<std::string> bytes = data_of(uri);
     if (!bytes) {
-        const std::filesystem::path file = folder_ / without_escapes(uri.text());
-        if (!lies_within(file, folder_))
-            uri.refuse(
-                fmt::format("{} lies outside the file's folder and is not read", in_quotes(uri.text())));
-        other_files.push_back(file.string());
-        Result<std::string> read = read_file(file);
-        if (!read) uri.refuse(fmt::format("{}: {}", in_quotes(file.string()), read.error().message));
+        const NamedFile file = named_file(without_escapes(uri.text()), folder_);
+        if (file.state != NamedFile::State::outside) other_files.push_back(file.path.string());
+        if (!file) uri.refuse(fmt::format("{}: {}", in_quotes(uri.text()), file.error().message));
+        Result<std::string> read = read_file(file.path);
+        if (!read) uri.refuse(fmt::format("{}: {}", in_quotes(file.path.string()), read.error().message));
         bytes = std::move(*read);
     }
     return checked(buffers_.emplace(index, std::move(*bytes)).first->second);

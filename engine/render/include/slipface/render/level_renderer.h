@@ -37,11 +37,8 @@ class LevelRenderer {
 
     // Uploads the geometry and loads the textures relative to `folder`; missing or broken ones are drawn as a
     // checker and returned as warnings. All faces are `default` and not highlighted afterwards. Null: only
-    // the background is drawn. Textures outside `folder` are read only if `textures` allows it: a level from
-    // elsewhere must not make the program open any file it names. The user is asked for permission
-    // (outside_textures()).
-    Warnings set_mesh(MeshPtr mesh, const std::filesystem::path& folder,
-                      TextureAccess textures = TextureAccess::folder);
+    // the background is drawn. read_texture() says what is read.
+    Warnings set_mesh(MeshPtr mesh, const std::filesystem::path& folder);
 
     // A mesh that only draw_placed() draws. If it has clips, in any pose.
     Warnings set_instances(MeshPtr mesh, const std::filesystem::path& folder);
@@ -96,7 +93,7 @@ class LevelRenderer {
     friend class LevelProps;
     struct Impl;
     explicit LevelRenderer(std::unique_ptr<Impl> impl);
-    Warnings set(MeshPtr mesh, const std::filesystem::path& folder, TextureAccess textures, bool instances);
+    Warnings set(MeshPtr mesh, const std::filesystem::path& folder, bool instances);
     std::unique_ptr<Impl> impl_;
 };
 

@@ -55,6 +55,7 @@ class GeometricManager : public Manager {
     explicit GeometricManager(Level level) : level_(std::move(level)) {}
     Level level_;
     Level own_;                        // level_ without props, for drawing; only if props are drawn alone
+    std::vector<MeshPtr> drawn_;       // [prop] its mesh as it is drawn; null: it has none
     std::optional<LevelScene> scene_;  // of level_
     double time_s_ = 0.0;
     std::vector<Character*> characters_;
