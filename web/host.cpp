@@ -88,7 +88,7 @@ EM_BOOL on_key(int type, const EmscriptenKeyboardEvent* event, void*) {
     const std::string code = event->code, key = event->key;
     const bool ctrl = event->ctrlKey != 0 || event->metaKey != 0, typing = ImGui::GetIO().WantTextInput;
     const Shortcut shortcut{key_label(code, key), ctrl, event->shiftKey != 0, event->altKey != 0};
-    if (bool* const flag = held_flag(app->context().held, code)) *flag = down && !typing && !ctrl;
+    hold_key(app->context().held, place_of(code), down && !typing && !ctrl);
     const auto made = [&](Event::Kind kind) {
         return Event{.kind = kind, .down = down, .ctrl = ctrl, .shift = shortcut.shift, .alt = shortcut.alt};
     };

@@ -40,16 +40,6 @@ constexpr std::array<Names, 11> punctuation{{{"Minus", "-"},
                                              {"Period", "."},
                                              {"Slash", "/"}}};
 
-constexpr std::array<std::pair<std::string_view, bool HeldKeys::*>, 8> movement{
-    {{"KeyW", &HeldKeys::forward},
-     {"KeyS", &HeldKeys::back},
-     {"KeyA", &HeldKeys::left},
-     {"KeyD", &HeldKeys::right},
-     {"KeyE", &HeldKeys::up},
-     {"KeyQ", &HeldKeys::down},
-     {"Space", &HeldKeys::jump},
-     {"ShiftLeft", &HeldKeys::fast}}};
-
 }  // namespace
 
 std::string key_label(const std::string& code, const std::string& key) {
@@ -66,10 +56,9 @@ std::string key_label(const std::string& code, const std::string& key) {
     return key.size() == 1 ? key : std::string();
 }
 
-bool* held_flag(HeldKeys& held, const std::string& code) {
-    for (const auto& [place, flag] : movement)
-        if (code == place) return &(held.*flag);
-    return nullptr;
+std::string place_of(const std::string& code) {
+    if (code.size() == 4 && code.starts_with("Key")) return {code.back()};
+    return code == "ShiftLeft" ? "Shift" : code == "Space" ? code : "";
 }
 
 bool taken_from_browser(const Shortcut& shortcut) {

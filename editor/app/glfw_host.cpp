@@ -6,10 +6,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -98,8 +100,7 @@ void on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
     if (!window.app) return;
     HeldKeys& held = window.app->context().held;
     const bool typing = ui::typing();
-    if (bool* const flag = held_flag(held, key))
-        *flag = action != GLFW_RELEASE && !typing && (mods & GLFW_MOD_CONTROL) == 0;
+    hold_key(held, place_of(key), action != GLFW_RELEASE && !typing && (mods & GLFW_MOD_CONTROL) == 0);
     if (action == GLFW_RELEASE) return;
     window.short_presses.press(key);
     const Shortcut shortcut = shortcut_of(key, scancode, mods);
@@ -160,20 +161,32 @@ double past_dead_zone(float value) {
     return std::copysign((std::abs(v) - stick_dead_zone) / (1.0 - stick_dead_zone), v);
 }
 
-void read_gamepad(HeldKeys& held, bool& jump_before) {
+// A button that both hold is let go by either.
+void read_gamepad(HeldKeys& held, ButtonSet& before) {
+    constexpr std::array<std::pair<std::string_view, int>, 6> places{
+        {{"A", GLFW_GAMEPAD_BUTTON_A},
+         {"B", GLFW_GAMEPAD_BUTTON_B},
+         {"X", GLFW_GAMEPAD_BUTTON_X},
+         {"Y", GLFW_GAMEPAD_BUTTON_Y},
+         {"LB", GLFW_GAMEPAD_BUTTON_LEFT_BUMPER},
+         {"RB", GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER}}};
     GLFWgamepadstate pad;
     held.stick = held.look_stick = Vec2::Zero();
-    bool jump = false;
+    ButtonSet now;
     if (glfwGetGamepadState(GLFW_JOYSTICK_1, &pad)) {
         held.stick = {past_dead_zone(pad.axes[GLFW_GAMEPAD_AXIS_LEFT_X]),
                       -past_dead_zone(pad.axes[GLFW_GAMEPAD_AXIS_LEFT_Y])};
         held.look_stick = Vec2(past_dead_zone(pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_X]),
                                -past_dead_zone(pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y])) *
                           stick_look_radians_s;
-        jump = pad.buttons[GLFW_GAMEPAD_BUTTON_A] == GLFW_PRESS;
+        for (const ButtonInfo& info : button_table())
+            for (const auto& [name, place] : places)
+                if (name == info.pad) now.set(info.button, pad.buttons[place] == GLFW_PRESS);
     }
-    if (jump != jump_before) held.jump = jump;
-    jump_before = jump;
+    for (const ButtonInfo& info : button_table())
+        if (now.has(info.button) != before.has(info.button))
+            held.buttons.set(info.button, now.has(info.button));
+    before = now;
 }
 
 void capture_cursor(Window& window, bool wanted) {
@@ -198,7 +211,7 @@ void show_title(Window& window) {
 void run_loop(Window& window) {
     using Clock = std::chrono::steady_clock;
     App& app = *window.app;
-    bool gamepad_jump = false;
+    ButtonSet gamepad;
     const Clock::time_point start = Clock::now();
     Clock::time_point before = start;
     while (!app.editor().quit) {
@@ -224,7 +237,7 @@ void run_loop(Window& window) {
             window.frames_due = 0;
             continue;
         }
-        if (app.editor().playtest) read_gamepad(app.context().held, gamepad_jump);
+        if (app.editor().playtest) read_gamepad(app.context().held, gamepad);
         ImGui_ImplGlfw_NewFrame();
         window.short_presses.begin_frame();
         app.build_frame(width, height, seconds);

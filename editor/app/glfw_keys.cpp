@@ -56,18 +56,11 @@ Shortcut shortcut_of(int key, int scancode, int mods) {
     return shortcut;
 }
 
-bool* held_flag(HeldKeys& held, int key) {
-    switch (key) {
-        case GLFW_KEY_W: return &held.forward;
-        case GLFW_KEY_S: return &held.back;
-        case GLFW_KEY_A: return &held.left;
-        case GLFW_KEY_D: return &held.right;
-        case GLFW_KEY_E: return &held.up;
-        case GLFW_KEY_Q: return &held.down;
-        case GLFW_KEY_SPACE: return &held.jump;
-        case GLFW_KEY_LEFT_SHIFT: return &held.fast;
-        default: return nullptr;
-    }
+std::string place_of(int key) {
+    // GLFW numbers keys by their place, those of letters by their ASCII code.
+    if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z) return {static_cast<char>(key)};
+    if (key == GLFW_KEY_SPACE) return "Space";
+    return key == GLFW_KEY_LEFT_SHIFT ? "Shift" : "";
 }
 
 }  // namespace slipface

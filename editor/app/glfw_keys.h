@@ -1,6 +1,8 @@
 // GLFW's keys as shortcuts (by label) and as held movement keys (by position).
 #pragma once
 
+#include <string>
+
 #include "panels/panels.h"
 
 namespace slipface {
@@ -9,7 +11,7 @@ namespace slipface {
 // alone.
 Shortcut shortcut_of(int key, int scancode, int mods);
 
-// The flag for the key at this position on the keyboard, or null.
-bool* held_flag(HeldKeys& held, int key);
+// The name for hold_key() of the key at this position on the keyboard; empty: it has none.
+std::string place_of(int key);
 
 }  // namespace slipface

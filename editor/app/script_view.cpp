@@ -199,21 +199,9 @@ void verb_hold(ScriptContext& context, const Words& words) {
     if (!frames || *frames < 1 || *frames > 36000)
         return context.fail("expected 1 to 36000 frames, found \"" + words.back() + "\"");
     HeldKeys held;
-    const std::array<std::pair<const char*, bool*>, 8> keys{{{"W", &held.forward},
-                                                             {"S", &held.back},
-                                                             {"A", &held.left},
-                                                             {"D", &held.right},
-                                                             {"E", &held.up},
-                                                             {"Q", &held.down},
-                                                             {"Space", &held.jump},
-                                                             {"Shift", &held.fast}}};
-    for (std::size_t i = 1; i + 1 < words.size(); ++i) {
-        const auto key =
-            std::find_if(keys.begin(), keys.end(), [&](const auto& k) { return words[i] == k.first; });
-        if (key == keys.end())
-            return context.fail("found \"" + words[i] + "\", expected W, A, S, D, Q, E, Space or Shift");
-        *key->second = true;
-    }
+    for (std::size_t i = 1; i + 1 < words.size(); ++i)
+        if (!hold_key(held, words[i], true))
+            return context.fail("found \"" + words[i] + "\", expected " + movement_key_names());
     for (std::int64_t i = 0; i < *frames; ++i) {
         context.host.app().context().held = held;
         context.host.frame();

@@ -36,6 +36,12 @@ Result<TapeOnLevel> load_tape_on_level(const TapeOptions& options) {
                             fmt::format("was recorded on geometry {}, found {}; the run may differ",
                                         hash_text(*recorded), hash_text(owned->level.mesh.fingerprint()))});
     }
+    if (!tape->own_buttons.empty()) {
+        std::string names;
+        for (const std::string& name : tape->own_buttons)
+            names += (names.empty() ? "" : ", ") + name;
+        warnings.push_back({options.tape.string(), "holds buttons that no ability reads: " + names});
+    }
     const auto& surfaces = tape->surfaces_fingerprint;
     if (surfaces && *surfaces != scene_fingerprint(scene->at(0.0))) {
         warnings.push_back(

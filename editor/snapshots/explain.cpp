@@ -239,7 +239,7 @@ std::optional<std::size_t> first_other_input(const Tape& a, const Tape& b) {
     for (std::size_t tick = 0; tick < ticks; ++tick) {
         const PlayerInput was = input_at(a, tick), is = input_at(b, tick);
         const bool there = (tick < a.tick_count()) == (tick < b.tick_count());
-        if (!there || was.wish != is.wish || was.jump != is.jump) return tick;
+        if (!there || was.wish != is.wish || was.buttons != is.buttons) return tick;
     }
     return std::nullopt;
 }

@@ -74,7 +74,9 @@ PlayerInput input_of(const slipface_input& input) {
     if (!std::isfinite(input.wish_x) || !std::isfinite(input.wish_z))
         refuse(SLIPFACE_WRONG_ARGUMENT, "wish: found ({}, {}), expected finite numbers", input.wish_x,
                input.wish_z);
-    return {.wish = {input.wish_x, input.wish_z}, .jump = input.jump != 0};
+    ButtonSet buttons{Button::jump, input.jump != 0};
+    buttons.bits |= input.buttons;
+    return {.wish = {input.wish_x, input.wish_z}, .buttons = buttons};
 }
 
 void need_dt(double dt) {

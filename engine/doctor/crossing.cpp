@@ -198,7 +198,7 @@ bool wedges(const Patient& patient, const Vec3& centre) {
             std::any_of(every_30_degrees.begin(), every_30_degrees.end(), [&](const Vec2& out) {
                 PlayerState state = caught;
                 for (int tick = 0; tick < 2 * second; ++tick)
-                    step_on(state, {.wish = out, .jump = tick > 5 && tick < second / 2});
+                    step_on(state, {.wish = out, .buttons = {Button::jump, tick > 5 && tick < second / 2}});
                 return (state.position - caught.position).norm() > away;
             });
         if (patient.is_spent()) return false;

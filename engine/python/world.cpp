@@ -261,15 +261,32 @@ void check_player(const MovementScene& now, const PlayerState& player, const std
         throw py::value_error("the player comes from another world");
 }
 
+ButtonSet buttons_of(bool jump, const std::vector<std::string>& names) {
+    ButtonSet buttons(Button::jump, jump);
+    for (const std::string& name : names) {
+        const ButtonInfo* info = find_button(name);
+        if (info == nullptr) {
+            std::string known;
+            for (const ButtonInfo& one : button_table())
+                known += std::string(known.empty() ? "" : ", ") + one.name;
+            throw py::value_error("buttons: found \"" + name + "\", expected some of " + known);
+        }
+        buttons.set(info->button);
+    }
+    return buttons;
+}
+
 PlayerState stepped(World& world, const PlayerState& player, const MovementSettings& settings,
-                    const std::array<double, 2>& wish, bool jump, double dt, const py::object& trace) {
+                    const std::array<double, 2>& wish, bool jump, double dt, const py::object& trace,
+                    const std::vector<std::string>& buttons) {
     if (!(dt >= 1e-4) || !std::isfinite(dt)) throw py::value_error("dt: expected 1e-4 or more");
     const MovementScene now = world.now();
     check_player(now, player, wish);
     TraceRecorder recorder;
-    const PlayerState next = step(now, settings, player, {.wish = {wish[0], wish[1]}, .jump = jump}, dt,
-                                  trace.is_none() ? nullptr : &recorder)
-                                 .state;
+    const PlayerState next =
+        step(now, settings, player, {.wish = {wish[0], wish[1]}, .buttons = buttons_of(jump, buttons)}, dt,
+             trace.is_none() ? nullptr : &recorder)
+            .state;
     if (!trace.is_none())
         for (const TraceRecord& record : recorder.records)
             trace.attr("append")(record_dict(record));
@@ -279,20 +296,24 @@ PlayerState stepped(World& world, const PlayerState& player, const MovementSetti
 std::vector<PlayerState> crowd_stepped(World& world, const std::vector<PlayerState>& players,
                                        const std::vector<MovementSettings>& settings,
                                        const std::vector<std::array<double, 2>>& wishes,
-                                       const std::vector<bool>& jumps, double dt) {
+                                       const std::vector<bool>& jumps, double dt,
+                                       const std::vector<std::vector<std::string>>& buttons) {
     if (!(dt >= 1e-4) || !std::isfinite(dt)) throw py::value_error("dt: expected 1e-4 or more");
     for (const std::size_t size :
-         {settings.size(), wishes.size(), jumps.empty() ? players.size() : jumps.size()})
+         {settings.size(), wishes.size(), jumps.empty() ? players.size() : jumps.size(),
+          buttons.empty() ? players.size() : buttons.size()})
         if (size != players.size())
             throw py::value_error("found " + std::to_string(size) + " for " + std::to_string(players.size()) +
-                                  " players, expected settings, wishes and jumps for each player");
+                                  " players, expected settings, wishes, jumps and buttons for each player");
     const MovementScene now = world.now();
     std::vector<CrowdMember> crowd;
     for (std::size_t i = 0; i < players.size(); ++i) {
         check_player(now, players[i], wishes[i]);
         crowd.push_back({&settings[i],
                          players[i],
-                         {.wish = {wishes[i][0], wishes[i][1]}, .jump = !jumps.empty() && jumps[i]}});
+                         {.wish = {wishes[i][0], wishes[i][1]},
+                          .buttons = buttons_of(!jumps.empty() && jumps[i],
+                                                buttons.empty() ? std::vector<std::string>() : buttons[i])}});
     }
     {
         const std::shared_lock lock(world.in_use);
@@ -447,13 +468,14 @@ void add_world(py::module_& module) {
         .def("player", &player_at, py::arg("position"), "A player at rest with its centre there")
         .def("step", &stepped, py::arg("player"), py::arg("settings"),
              py::arg("wish") = std::array<double, 2>{}, py::arg("jump") = false, py::arg("dt") = 1.0 / 60.0,
-             py::arg("trace") = py::none(),
+             py::arg("trace") = py::none(), py::arg("buttons") = std::vector<std::string>{},
              "The player dt seconds later. wish: (x, z), a fraction of the walking speed. trace: a list, to "
              "which "
-             "what happened is appended")
+             "what happened is appended. buttons: names of those that are held besides jump")
         .def(
             "step_crowd", &crowd_stepped, py::arg("players"), py::arg("settings"), py::arg("wishes"),
             py::arg("jumps") = std::vector<bool>{}, py::arg("dt") = 1.0 / 60.0,
+            py::arg("buttons") = std::vector<std::vector<std::string>>{},
             "The players dt seconds later; they push each other and stand on each other. Lists of one length")
         .def(
             "change_body",

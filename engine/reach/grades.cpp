@@ -48,7 +48,7 @@ bool masters(const MovementSettings& settings, double dt, double gap, double ris
     for (int i = 0; i < 2 * run_up_ticks && past < branch_ticks; ++i) {
         trail.push_back(state);
         const double before = state.position.x();
-        state = step(scene, settings, state, {Vec2(1, 0), false}, dt).state;
+        state = step(scene, settings, state, {Vec2(1, 0), {}}, dt).state;
         if (!state.grounded || state.position.x() - before < 0.1 * settings.walk_speed * dt) ++past;
         if (beyond(state)) return true;
         if (state.position.y() < -3.0) break;
@@ -58,7 +58,7 @@ bool masters(const MovementSettings& settings, double dt, double gap, double ris
     for (std::size_t from = first; from < trail.size(); ++from) {
         state = trail[from];
         for (int i = 0; i < flight_ticks && state.position.y() > -3.0; ++i) {
-            state = step(scene, settings, state, {Vec2(1, 0), true}, dt).state;
+            state = step(scene, settings, state, {Vec2(1, 0), Button::jump}, dt).state;
             if (beyond(state)) return true;
             if (i > 2 && state.grounded) break;
         }

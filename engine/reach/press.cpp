@@ -35,8 +35,10 @@ Vec2 direction_vector(std::uint32_t direction) {
 
 PlayerInput input_of(const Press& press) {
     const double strength = strengths[press.stick / press_directions];
-    if (strength == 0.0) return {Vec2::Zero(), press.jump};
-    return {strength * direction_vector(press.stick), press.jump};
+    PlayerInput input;
+    input.buttons.bits = press.buttons;
+    if (strength > 0.0) input.wish = strength * direction_vector(press.stick);
+    return input;
 }
 
 }  // namespace slipface

@@ -76,11 +76,12 @@ class Roller {
 
     // One tick. False when the roll-out is over: out of the level, killed, or too many inputs.
     bool tick(Cursor& cursor, std::uint8_t stick, bool jump) {
-        if (!cursor.alive || !press(cursor, stick, jump)) return cursor.alive = false;
+        const auto buttons = static_cast<std::uint8_t>(ButtonSet(Button::jump, jump).bits);
+        if (!cursor.alive || !press(cursor, stick, buttons)) return cursor.alive = false;
         const MovementScene& now = scenes_.at(cursor.tick);
         const bool rose = cursor.state.velocity.y() > 0.0;
         const TickResult result =
-            play_tick(now, settings_, cursor.state, input_of({1, stick, jump}), dt_, world_.start);
+            play_tick(now, settings_, cursor.state, input_of({1, stick, buttons}), dt_, world_.start);
         ++harvest_.steps;
         ++cursor.tick;
         if (result.respawn == Respawn::hazard || result.respawn == Respawn::crushed)
@@ -245,13 +246,14 @@ class Roller {
         return 1 + random.below(30);
     }
 
-    static bool press(Cursor& cursor, std::uint8_t stick, bool jump) {
+    static bool press(Cursor& cursor, std::uint8_t stick, std::uint8_t buttons) {
         if (cursor.count > 0) {
             Press& last = cursor.presses[cursor.count - 1u];
-            if (last.stick == stick && last.jump == jump && last.ticks < 60000) return ++last.ticks, true;
+            if (last.stick == stick && last.buttons == buttons && last.ticks < 60000)
+                return ++last.ticks, true;
         }
         if (cursor.count == max_presses) return false;
-        cursor.presses[cursor.count++] = {1, stick, jump};
+        cursor.presses[cursor.count++] = {1, stick, buttons};
         return true;
     }
 

@@ -373,7 +373,8 @@ std::uint64_t ReachSearch::hash() const {
         hasher.u64(node.returns);
     }
     for (const Press& press : impl_->archive.presses)
-        hasher.u64((std::uint64_t{press.ticks} << 16) | (std::uint64_t{press.stick} << 1) | press.jump);
+        hasher.u64((std::uint64_t{press.ticks} << 16) | (std::uint64_t{press.buttons} >> 1 << 9) |
+                   (std::uint64_t{press.stick} << 1) | (press.buttons & 1U));
     for (const std::vector<Reached>* list : {&impl_->faces, &impl_->goals})
         for (const Reached& one : *list)
             hasher.u64(one.node);

@@ -75,7 +75,7 @@ std::string ReachSearch::Impl::body() const {
     for (const Press& press : archive.presses) {
         to.put(press.ticks);
         to.put(press.stick);
-        to.put(std::uint8_t{press.jump});
+        to.put(press.buttons);
     }
     to.put(std::uint64_t{archive.nodes.size()});
     for (const ReachNode& node : archive.nodes) {
@@ -135,7 +135,7 @@ Status ReachSearch::Impl::read_body(std::string_view bytes, const std::string& l
     for (Press& press : archive.presses) {
         press.ticks = from.get<std::uint16_t>();
         press.stick = from.get<std::uint8_t>();
-        press.jump = from.up_to<std::uint8_t>(1, "a switch") != 0;
+        press.buttons = from.get<std::uint8_t>();
     }
     const auto check_presses = [&](std::uint32_t first, std::uint16_t count) {
         if (std::uint64_t{first} + count > archive.presses.size())

@@ -44,7 +44,7 @@ PlayerInput Walker::next() {
         press_in_ = held_for_ + 1 + random_.below(4 * ticks_a_second_);
     }
     --press_in_;
-    input_.jump = held_for_ > 0;
+    input_.buttons.set(Button::jump, held_for_ > 0);
     return input_;
 }
 

@@ -93,7 +93,7 @@ Tape tape_at_rate(const Tape& tape, int hz) {
             std::clamp(static_cast<std::size_t>(std::max(last_fraction, 0.0)), first, inputs.size() - 1);
         PlayerInput input = inputs[first];
         for (std::size_t i = first + 1; i <= last; ++i)
-            input.jump = input.jump || inputs[i].jump;
+            input.buttons = input.buttons | inputs[i].buttons;
         append_tick(other, input);
     }
     for (const TapeChange& change : tape.changes) {

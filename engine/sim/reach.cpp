@@ -29,8 +29,8 @@ class Floor {
     CollisionWorld world_;
 };
 
-const PlayerInput ahead{Vec2(1, 0), false}, ahead_jump{Vec2(1, 0), true}, rest{},
-    rest_jump{Vec2::Zero(), true};
+const PlayerInput ahead{Vec2(1, 0), {}}, ahead_jump{Vec2(1, 0), Button::jump}, rest{},
+    rest_jump{Vec2::Zero(), Button::jump};
 
 constexpr int longest_ticks = 60 * 60;
 

@@ -144,7 +144,7 @@ class EventReader {
     // Presses of the button, and what became of each jump.
     void read_jump(const TickTrace& trace) {
         const PlayerState& after = trace.after.stepped;
-        const bool pressed = trace.input.jump && !trace.before.jump_held;
+        const bool pressed = trace.input.buttons.has(Button::jump) && !trace.before.jump_held;
         const auto* jumped = decided(trace, {Decision::jumped, Decision::jumped_off});
         if (jumped != nullptr) {
             rising_ = Rising{.from = trace.from.y(), .speed = jumped->value, .tick = trace.tick};
@@ -171,7 +171,7 @@ class EventReader {
                 }
                 if (buffer != nullptr) words.say(". ").decision(*buffer);
             });
-        } else if (trace.input.jump && after.grounded && !trace.before.grounded) {
+        } else if (trace.input.buttons.has(Button::jump) && after.grounded && !trace.before.grounded) {
             add(trace, "no jump", no_id, [&](Words words) {
                 words.say(
                     "Did not jump on landing: the button was held, and a jump starts when it is pressed");

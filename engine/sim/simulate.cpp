@@ -50,7 +50,7 @@ TickResult play_tick(const MovementScene& scene, const MovementSettings& setting
     }
     if (result.respawn != Respawn::none) {
         result.state = start.player;
-        result.state.jump_held = input.jump;
+        result.state.jump_held = input.buttons.has(Button::jump);
     }
     return result;
 }
@@ -60,7 +60,7 @@ void EventLog::add(std::size_t tick, const PlayerState& before, const PlayerInpu
     const PlayerState& after = result.stepped;
     if (after.hazard) log(tick, "hazard", after);
     if (after.crushed) log(tick, "crushed", after);
-    if (holds(before) && !holds(after) && input.jump && !before.jump_held) {
+    if (holds(before) && !holds(after) && input.buttons.has(Button::jump) && !before.jump_held) {
         log(tick, "jump", before);
     } else if (before.grounded && !after.grounded) {
         log(tick, "leave ground", before);

@@ -52,7 +52,11 @@ StoryLine begin_line(const TickTrace& trace, const StoryNames& names) {
         if (heading < 0.0) heading += 360.0;
         words.say(", stick ").percent(wish.norm()).say(" towards ").degrees(heading);
     }
-    if (trace.input.jump) words.say(trace.before.jump_held ? ", jump held" : ", jump pressed");
+    for (const ButtonInfo& info : button_table()) {
+        if (!trace.input.buttons.has(info.button)) continue;
+        const bool pressed = info.button == Button::jump && !trace.before.jump_held;
+        words.say(", ").say(info.name).say(pressed ? " pressed" : " held");
+    }
     return line;
 }
 

@@ -64,6 +64,15 @@ std::optional<Vec2> parse_wish(std::string_view text) {
     return Vec2(*x, *z);
 }
 
+// Lowercase letters, digits and underscores after a letter; "wish" is none.
+bool is_button_name(std::string_view text) {
+    constexpr std::size_t longest = 32;
+    const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+    return !text.empty() && text.size() <= longest && is_letter(text.front()) && text != "wish" &&
+           std::all_of(text.begin(), text.end(),
+                       [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
+}
+
 class TapeParser {
   public:
     explicit TapeParser(const std::string& location) : location_(location) {}
@@ -207,13 +216,29 @@ class TapeParser {
             segment.input.wish = *wish;
             word += 2;
         }
-        if (word < words.size() && words[word] == "jump") {
-            segment.input.jump = true;
-            ++word;
+        for (; word < words.size(); ++word) {
+            const std::uint32_t bit = bit_of_button(words[word]);
+            if (bit == 0 || (segment.input.buttons.bits & bit) != 0)
+                return fail(
+                    quoted(words[word]),
+                    "TICKS [wish X,Z] [jump] and other buttons, each once, at most 24 of a game's own");
+            segment.input.buttons.bits |= bit;
         }
-        if (word < words.size()) return fail(quoted(words[word]), "TICKS [wish X,Z] [jump]");
         ticks_ += static_cast<std::size_t>(segment.ticks);
         tape_.segments.push_back(segment);
+    }
+
+    // 0: none. What the table does not name is a button of a game's own, or of a newer program.
+    std::uint32_t bit_of_button(std::string_view name) {
+        if (const ButtonInfo* info = find_button(name)) return ButtonSet(info->button).bits;
+        if (!is_button_name(name)) return 0;
+        std::vector<std::string>& own = tape_.own_buttons;
+        auto at = std::find(own.begin(), own.end(), name);
+        if (at == own.end()) {
+            if (own.size() == ButtonSet::capacity - ButtonSet::first_own) return 0;
+            at = own.emplace(own.end(), name);
+        }
+        return std::uint32_t{1} << (ButtonSet::first_own + static_cast<std::size_t>(at - own.begin()));
     }
 
     const std::string& location_;
@@ -225,10 +250,23 @@ class TapeParser {
 };
 
 bool same_input(const PlayerInput& a, const PlayerInput& b) {
-    return a.wish == b.wish && a.jump == b.jump;
+    return a.wish == b.wish && a.buttons == b.buttons;
 }
 
 }  // namespace
+
+std::vector<std::string> button_names(const Tape& tape, ButtonSet buttons) {
+    std::vector<std::string> names;
+    for (const ButtonInfo& info : button_table())
+        if (buttons.has(info.button)) names.emplace_back(info.name);
+    for (std::size_t i = ButtonSet::first_own; i < ButtonSet::capacity; ++i) {
+        if (((buttons.bits >> i) & 1U) == 0) continue;
+        const std::size_t own = i - ButtonSet::first_own;
+        names.push_back(own < tape.own_buttons.size() ? tape.own_buttons[own]
+                                                      : "own" + std::to_string(own + 1));
+    }
+    return names;
+}
 
 std::size_t Tape::tick_count() const {
     std::size_t count = 0;
@@ -267,7 +305,9 @@ std::string tape_to_text(const Tape& tape) {
         text += std::to_string(ticks);
         if (!input.wish.isZero(0.0))
             text += fmt::format(" wish {},{}", to_text(input.wish.x()), to_text(input.wish.y()));
-        text += input.jump ? " jump\n" : "\n";
+        for (const std::string& name : button_names(tape, input.buttons))
+            text += " " + name;
+        text += "\n";
     };
     std::size_t tick = 0;
     auto change = tape.changes.begin();

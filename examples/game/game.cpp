@@ -104,7 +104,7 @@ void Game::tick(const Buttons& buttons) {
     tilt_ = std::clamp(tilt_ + buttons.tilt, -0.2, 1.2);
     const Vec3 away(-std::sin(yaw_), 0.0, -std::cos(yaw_)), right(std::cos(yaw_), 0.0, -std::sin(yaw_));
     const Vec3 wish = buttons.stick.x() * right + buttons.stick.y() * away;
-    player_->input = {.wish = {wish.x(), wish.z()}, .jump = buttons.jump};
+    player_->input = {.wish = {wish.x(), wish.z()}, .buttons = {Button::jump, buttons.jump}};
     world_.tick(dt);
     time_s_ += dt;
     collect();

@@ -69,7 +69,7 @@ int main(int count, char** words) {
                 const double angle = static_cast<double>(random() % 6283) * 1e-3;
                 walker->input.wish = {std::cos(angle), std::sin(angle)};
             }
-            walker->input.jump = random() % 60 == 0;
+            walker->input.buttons.set(Button::jump, random() % 60 == 0);
         }
         world.tick(1.0 / 60.0);
         for (Walker* walker : walkers) {

@@ -45,7 +45,7 @@ std::uint64_t hash_of_walker(const Demo& demo, std::uint64_t seed) {
             random = random * 6364136223846793005ULL + 1442695040888963407ULL;
             input.wish = {static_cast<double>(random >> 48) / 32768.0 - 1.0,
                           static_cast<double>((random >> 32) & 0xffff) / 32768.0 - 1.0};
-            input.jump = (random >> 31 & 1) != 0;
+            input.buttons.set(Button::jump, (random >> 31 & 1) != 0);
         }
         state = step(scene->at(tick / 60.0, 1.0 / 60), demo.on, state, input, 1.0 / 60).state;
         hash = state_hash(state, hash);

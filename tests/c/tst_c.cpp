@@ -186,7 +186,8 @@ TEST(C, StepsGiveTheBitsOfCppAndTheSameTrace) {
         OK(slipface_world_set_time(world, tick * dt, dt, &error));
         OK(slipface_step(world, settings, &player, &input, dt, note, &count, &player, &error));
         state = step(scene.at(tick * dt, dt), level.movement, state,
-                     {.wish = {input.wish_x, input.wish_z}, .jump = input.jump != 0}, dt, &recorder)
+                     {.wish = {input.wish_x, input.wish_z}, .buttons = {Button::jump, input.jump != 0}}, dt,
+                     &recorder)
                     .state;
         ASSERT_TRUE(same(player.position, state.position) && same(player.velocity, state.velocity) &&
                     player.grounded == state.grounded && player.ground_face == state.ground_face &&

@@ -235,10 +235,10 @@ TEST_F(AppTest, PlaytestWalksWithHeldKeysAndEscapeReturns) {
 
 TEST_F(AppTest, LosingTheFocusReleasesHeldKeys) {
     host->app().context().held.forward = true;
-    host->app().context().held.jump = true;
+    host->app().context().held.buttons = Button::jump;
     host->app().focus_lost();
     EXPECT_FALSE(host->app().context().held.forward);
-    EXPECT_FALSE(host->app().context().held.jump);
+    EXPECT_FALSE(host->app().context().held.buttons.has(Button::jump));
 }
 
 TEST_F(AppTest, TheTitleShowsTheFileAndWhetherItIsSaved) {

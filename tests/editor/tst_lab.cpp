@@ -28,9 +28,10 @@ class LabTest : public LevelFixture {
         start_playtest(editor);
         editor.playtest->yaw = -1.5707963267948966;  // +X
         for (int i = 0; i < ticks; ++i)
-            editor.playtest->advance(editor.lab.scene(*editor.document), editor.document->level().movement,
-                                     {.stick = i < 10 ? Vec2(0, 0) : Vec2(0, 1), .jump = i >= 30 && i < 35},
-                                     Playtest::tick_s);
+            editor.playtest->advance(
+                editor.lab.scene(*editor.document), editor.document->level().movement,
+                {.stick = i < 10 ? Vec2(0, 0) : Vec2(0, 1), .buttons = {Button::jump, i >= 30 && i < 35}},
+                Playtest::tick_s);
         stop_playtest(editor);
         finish();
     }

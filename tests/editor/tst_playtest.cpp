@@ -105,7 +105,7 @@ TEST_F(PlaytestTest, PressShorterThanATickStillJumps) {
     playtest.start(middle, 0);
     settle();
     ASSERT_TRUE(playtest.state().grounded);
-    advance({.jump = true}, 0.2 * tick);
+    advance({.buttons = Button::jump}, 0.2 * tick);
     advance({}, tick);
     EXPECT_GT(playtest.state().velocity.y(), 1.0);
 }
@@ -138,7 +138,7 @@ TEST_F(PlaytestTest, TapeRepeatsTheRunExactly) {
     for (int frame = 0; frame < 3000; ++frame) {
         if (frame % 20 == 0) {
             input.stick = Vec2(2 * fraction(random) - 1, 2 * fraction(random) - 1);
-            input.jump = fraction(random) < 0.3;
+            input.buttons.set(Button::jump, fraction(random) < 0.3);
         }
         input.look = Vec2(0.1 * (fraction(random) - 0.5), 0.0);
         const Vec3 before = playtest.state().position;
@@ -168,7 +168,7 @@ TEST_F(PlaytestTest, SettingsChangedOnTheWayAreOnTheTape) {
     other.gravity = 5;
     other.walk_speed = 1.0 / 3.0;
     document->set_movement(other, "Change");
-    advance({.stick = {0, 1}, .jump = true}, 5 * tick);
+    advance({.stick = {0, 1}, .buttons = Button::jump}, 5 * tick);
     document->undo();
     advance({.stick = {1, 0}}, 5 * tick);
 
@@ -184,7 +184,7 @@ TEST_F(PlaytestTest, SettingsChangedOnTheWayAreOnTheTape) {
 TEST_F(PlaytestTest, GoesOnFromAnyTickOfATape) {
     playtest.start(middle, 0);
     for (int i = 0; i < 40; ++i)
-        advance({.stick = {0.3, 1}, .jump = i == 20}, tick);
+        advance({.stick = {0.3, 1}, .buttons = {Button::jump, i == 20}}, tick);
     const Tape whole = playtest.tape();
     const Tape part = cut_tape(whole, 30);
     const SimulationReport at = simulate(scene(), movement(), middle, part);

@@ -47,7 +47,7 @@ TEST_F(ScriptTest, ErrorsNameTheLineAndWhatIsNear) {
     EXPECT_NE(run("camera eye 4,14,4 target 4,0,4\nviewport click @4,99,4").find("is outside the view"),
               std::string::npos);
     EXPECT_NE(run("camera bookmark Nowhere").find("no camera \"Nowhere\""), std::string::npos);
-    EXPECT_NE(run("hold X 3").find("expected W"), std::string::npos);
+    EXPECT_NE(run("hold P 3").find("expected W"), std::string::npos);
     EXPECT_NE(run("expect luck").find("cannot expect \"luck\""), std::string::npos);
     EXPECT_NE(run("click \"Toolbar/Undo\"").find("disabled"), std::string::npos);
 }

@@ -316,7 +316,8 @@ inline BarrierWalk walk_barrier(const Stair& s, Barrier kind, const MovementSett
         PlayerInput input{.wish = Vec2(heading.x(), heading.z())};
         if (falls && frame.in(state.position).x() < stop) let_go = true;
         if (let_go) input.wish = Vec2::Zero();
-        if (kind == Barrier::jumped_wall) input.jump = i % static_cast<int>(s.rate / 4.0) == 0;
+        if (kind == Barrier::jumped_wall)
+            input.buttons.set(Button::jump, i % static_cast<int>(s.rate / 4.0) == 0);
         state = step(lab.scene(), m, state, input, dt).state;
         if (overlaps_any(lab.world(), m.radii, state.position)) ++walk.overlaps;
         const Vec3 p = frame.in(state.position);

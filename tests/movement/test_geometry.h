@@ -116,7 +116,7 @@ inline PlayerState at(const Vec3& position, const Vec3& velocity = Vec3::Zero())
 }
 
 inline PlayerInput wish(double x, double z, bool jump = false) {
-    return {.wish = Vec2(x, z), .jump = jump};
+    return {.wish = Vec2(x, z), .buttons = {Button::jump, jump}};
 }
 
 inline PlayerState run(const Lab& lab, const MovementSettings& settings, PlayerState state,

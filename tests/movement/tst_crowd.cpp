@@ -114,7 +114,7 @@ TEST(Crowd, OneStandsOnAnotherAndJumpsFromThere) {
 
     double top = 0.0;
     for (int i = 0; i < 60; ++i) {
-        crowd[0].input.jump = i == 5;
+        crowd[0].input.buttons.set(Button::jump, i == 5);
         run(yard, crowd, 1);
         top = std::max(top, crowd[0].state.position.y());
     }
@@ -194,7 +194,7 @@ TEST(Crowd, BodiesOfAnySizeStayOutsideOfEverythingInAnyOrder) {
         for (int i = 0; i < 300; ++i) {
             for (std::size_t k = 0; k < crowd.size(); ++k) {
                 if (i % 40 == 0) crowd[k].input = wish(random.between(-1, 1), random.between(-1, 1));
-                crowd[k].input.jump = random.below(30) == 0;
+                crowd[k].input.buttons.set(Button::jump, random.below(30) == 0);
                 other[crowd.size() - 1 - k].input = crowd[k].input;
             }
             step_crowd(lab.scene(), crowd, tick);

@@ -52,7 +52,8 @@ Vec3 route(const Lab& lab, const MovementSettings& s, const Vec3& start, int rat
         const std::size_t leg = static_cast<std::size_t>(i / (2 * rate));
         const bool jump = (i / (rate / 10)) % 25 == 3;
         const Vec2 motion = turn(legs[leg]);
-        state = step(lab.scene(), s, state, {.wish = motion, .jump = jump}, 1.0 / rate).state;
+        state =
+            step(lab.scene(), s, state, {.wish = motion, .buttons = {Button::jump, jump}}, 1.0 / rate).state;
     }
     return state.position;
 }

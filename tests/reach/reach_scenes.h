@@ -102,14 +102,14 @@ inline bool any_straight_jump(const ReachScene& scene, int starts) {
             state = step(now, settings, state, {}, tick_s).state;
         for (int i = 0; i < 400; ++i) {
             trail.push_back(state);
-            state = step(now, settings, state, {Vec2(0, -1), false}, tick_s).state;
+            state = step(now, settings, state, {Vec2(0, -1), {}}, tick_s).state;
             in_air = state.grounded ? 0 : in_air + 1;
             if (in_air > 20 || state.position.y() < lowest) break;  // coyote time is over
         }
         for (const PlayerState& from : trail) {
             state = from;
             for (int i = 0; i < 240; ++i) {
-                state = step(now, settings, state, {Vec2(0, -1), true}, tick_s).state;
+                state = step(now, settings, state, {Vec2(0, -1), Button::jump}, tick_s).state;
                 if (state.grounded && state.ground_face == target) return true;
                 if (state.position.y() < lowest || (i > 2 && state.grounded)) break;
             }

@@ -74,7 +74,7 @@ TEST(Platforms, ATurningOneCarriesOnItsCircle) {
             << i;
     }
     // A jump takes the rim's velocity along, 2 pi times 9 m.
-    ride.go(1, {.wish = Vec2::Zero(), .jump = true});
+    ride.go(1, {.wish = Vec2::Zero(), .buttons = Button::jump});
     const double speed = Vec2(ride.state.velocity.x(), ride.state.velocity.z()).norm();
     EXPECT_NEAR(speed, 2 * pi * 9, 0.1);
 }

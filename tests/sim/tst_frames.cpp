@@ -98,7 +98,7 @@ struct Inputs {
             wish = size * Vec2(std::cos(a), std::sin(a));
             jump = jumps && random.below(2) == 0;
         }
-        return {.wish = wish, .jump = jump && left % 2 == 0};
+        return {.wish = wish, .buttons = {Button::jump, jump && left % 2 == 0}};
     }
 };
 
@@ -308,7 +308,8 @@ TEST(Frames, HopsNeverAddUp) {
                 int hops = 0;
                 double fastest = 0.0;
                 for (int i = 0; i < 60 * rate && hops < 12; ++i) {
-                    const PlayerInput input{.wish = Vec2::Zero(), .jump = state.grounded && !state.jump_held};
+                    const PlayerInput input{.wish = Vec2::Zero(),
+                                            .buttons = {Button::jump, state.grounded && !state.jump_held}};
                     const bool grounded = state.grounded;
                     state = step(scene.at(i * dt, dt), s, state, input, dt).state;
                     hops += grounded && !state.grounded;
@@ -343,10 +344,11 @@ TEST(Frames, JumpsOnALiftAreAsHighAsOnTheFloor) {
                 for (int i = 0; i < 3 * rate; ++i) {
                     const bool grounded = state.grounded,
                                press = i > rate / 4 && grounded && !state.jump_held;
-                    state =
-                        step(scene.at(i * dt, dt), s, state,
-                             {.wish = Vec2::Zero(), .jump = press || (state.jumping && state.jump_held)}, dt)
-                            .state;
+                    state = step(scene.at(i * dt, dt), s, state,
+                                 {.wish = Vec2::Zero(),
+                                  .buttons = {Button::jump, press || (state.jumping && state.jump_held)}},
+                                 dt)
+                                .state;
                     highest = std::max(highest, state.position.y() - rise * (i + 1) * dt - floor);
                     if (press) {
                         ++jumps;

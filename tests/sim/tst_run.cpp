@@ -12,11 +12,11 @@ namespace {
 // Over all four stripes, with jumps, a hazard and a setting changed on the way.
 std::shared_ptr<const Tape> long_tape() {
     Tape tape = tape_of({{30, {}},
-                         {70, {Vec2(0, 1), false}},
-                         {1, {Vec2(0, 1), true}},
-                         {150, {Vec2(0.3, 0.9), false}},
-                         {1, {Vec2(0, 0), true}},
-                         {148, {Vec2(-0.5, 0.5), false}}});
+                         {70, {Vec2(0, 1), {}}},
+                         {1, {Vec2(0, 1), Button::jump}},
+                         {150, {Vec2(0.3, 0.9), {}}},
+                         {1, {Vec2(0, 0), Button::jump}},
+                         {148, {Vec2(-0.5, 0.5), {}}}});
     tape.changes = {{97, "walk_speed=7"}, {211, "jump_speed=9"}};
     return std::make_shared<const Tape>(std::move(tape));
 }
@@ -158,7 +158,7 @@ TEST(Channels, TheCsvHasTheSamplesBitByBit) {
 
 TEST(Compare, FindsWhereTwoRunsPartAndByHowMuch) {
     const Stripes stripes;
-    const auto tape = std::make_shared<const Tape>(tape_of({{30, {}}, {30, {Vec2(1, 0), false}}}));
+    const auto tape = std::make_shared<const Tape>(tape_of({{30, {}}, {30, {Vec2(1, 0), {}}}}));
     MovementSettings slow;
     slow.walk_speed = 3.0;  // reached after 3 ticks of 60 m/s2: 1 m/s a tick
     TapeRun a(tape, {}, start), b = TapeRun::under(tape, slow, start);
@@ -176,21 +176,21 @@ TEST(Compare, FindsWhereTwoRunsPartAndByHowMuch) {
 }
 
 TEST(Compare, OtherRatesHaveTheSameInputsAtTheSameTimes) {
-    Tape tape = tape_of({{5, {}}, {1, {Vec2(0, 1), true}}, {6, {Vec2(1, 0), false}}});
+    Tape tape = tape_of({{5, {}}, {1, {Vec2(0, 1), Button::jump}}, {6, {Vec2(1, 0), {}}}});
     tape.changes = {{7, "gravity=10"}};
     const Tape twice = tape_at_rate(tape, 120);
     EXPECT_EQ(twice.tick_count(), 24u);
     ASSERT_EQ(twice.segments.size(), 3u);
     EXPECT_EQ(twice.segments[0].ticks, 10);
     EXPECT_EQ(twice.segments[1].ticks, 2);
-    EXPECT_TRUE(twice.segments[1].input.jump);
+    EXPECT_TRUE(twice.segments[1].input.buttons.has(Button::jump));
     EXPECT_EQ(twice.changes, (std::vector<TapeChange>{{14, "gravity=10"}}));
     const Tape half = tape_at_rate(tape, 30);
     EXPECT_EQ(half.tick_count(), 6u);
     ASSERT_EQ(half.segments.size(), 3u);
     EXPECT_EQ(half.segments[0].ticks, 2);
     EXPECT_EQ(half.segments[1].ticks, 1) << "ticks 4 and 5: waits, then jumps, so it jumps";
-    EXPECT_TRUE(half.segments[1].input.jump);
+    EXPECT_TRUE(half.segments[1].input.buttons.has(Button::jump));
     EXPECT_EQ(half.changes, (std::vector<TapeChange>{{4, "gravity=10"}}));
     EXPECT_EQ(tape_at_rate(tape, 60).tick_count(), 12u);
     EXPECT_EQ(tape_at_rate(Tape{}, 30).tick_count(), 0u);
@@ -206,7 +206,7 @@ TEST(Compare, RatesAgreeInFreeFallAndSayWhereTheyDoNot) {
         EXPECT_EQ(row.run.samples().size(), static_cast<std::size_t>(hz));
         EXPECT_LT(row.worst_m, 1e-9) << hz;  // the displacement is exact for constant acceleration
     }
-    const auto walk = std::make_shared<const Tape>(tape_of({{30, {}}, {31, {Vec2(1, 0), false}}}));
+    const auto walk = std::make_shared<const Tape>(tape_of({{30, {}}, {31, {Vec2(1, 0), {}}}}));
     TapeRun walked(walk, {}, start);
     walked.advance(stripes.scene(), 61);
     EXPECT_EQ(compare_rate(stripes.scene(), walked, 60).worst_m, 0.0);
@@ -218,7 +218,7 @@ TEST(Compare, RatesAgreeInFreeFallAndSayWhereTheyDoNot) {
 TEST(Compare, SaysWhatASwitchWouldHaveChanged) {
     const Stripes stripes;
     // Gliding on ice with the stick along: without its surface type the player would run.
-    const auto tape = std::make_shared<const Tape>(tape_of({{90, {Vec2(0, 1), false}}}));
+    const auto tape = std::make_shared<const Tape>(tape_of({{90, {Vec2(0, 1), {}}}}));
     TapeRun run(tape, {}, Vec3(0, 0.95, 12));
     run.advance(stripes.scene(), 90);
     const std::vector<SwitchEffect> effects = switch_effects(stripes.scene(), run, 10, 30);
@@ -229,7 +229,7 @@ TEST(Compare, SaysWhatASwitchWouldHaveChanged) {
     off.surface_types = false;
     PlayerState state = run.state_before(stripes.scene(), 10);
     for (int i = 0; i < 30; ++i)
-        state = step(stripes.scene(), off, state, {Vec2(0, 1), false}, run.dt()).state;
+        state = step(stripes.scene(), off, state, {Vec2(0, 1), {}}, run.dt()).state;
     EXPECT_EQ(effects.front().end_speed, state.velocity.norm());
     for (std::size_t i = 1; i < effects.size(); ++i)
         EXPECT_GE(effects[i - 1].further_m, effects[i].further_m);

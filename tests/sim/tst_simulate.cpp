@@ -30,7 +30,7 @@ const SimulationEvent* find_event(const SimulationReport& report, std::string_vi
 TEST(Simulate, IsTheSameAsStepByStep) {
     const Stripes stripes;
     const Tape tape = tape_of(
-        {{30, {}}, {60, {Vec2(0.6, 0.8), false}}, {1, {Vec2(0, 1), true}}, {50, {Vec2(0, 1), false}}});
+        {{30, {}}, {60, {Vec2(0.6, 0.8), {}}}, {1, {Vec2(0, 1), Button::jump}}, {50, {Vec2(0, 1), {}}}});
     SimulationOptions options;
     options.keep_states = true;
     const SimulationReport report = simulate(stripes.scene(), {}, Vec3(0, 1.5, 2), tape, options);
@@ -58,7 +58,7 @@ TEST(Simulate, IsTheSameAsStepByStep) {
 
 TEST(Simulate, TheSameTapeGivesTheSameHashesAndAnotherOneDoesNot) {
     const Stripes stripes;
-    const Tape tape = tape_of({{200, {Vec2(0, 1), false}}});
+    const Tape tape = tape_of({{200, {Vec2(0, 1), {}}}});
     const SimulationReport a = simulate(stripes.scene(), {}, Vec3(0, 1, 2), tape);
     const SimulationReport b = simulate(stripes.scene(), {}, Vec3(0, 1, 2), tape);
     EXPECT_EQ(a.second_hashes, b.second_hashes);
@@ -114,7 +114,7 @@ TEST(Simulate, FallsInTheTimeOfTheClosedForm) {
 TEST(Simulate, ReportsJumpsAndLandings) {
     const Stripes stripes;
     const SimulationReport report = simulate(stripes.scene(), {}, Vec3(0, 0.95, 5),
-                                             tape_of({{30, {}}, {1, {Vec2(0, 0), true}}, {90, {}}}));
+                                             tape_of({{30, {}}, {1, {Vec2(0, 0), Button::jump}}, {90, {}}}));
     EXPECT_THAT(kinds(report), ElementsAre("land", "jump", "land"));
     EXPECT_EQ(report.events[1].tick, 30u);
     // In the air for 2 v / g = 2 * 8 / 20 = 0.8 s = 48 ticks.
@@ -126,7 +126,7 @@ TEST(Simulate, WalkingOffTheEdgeIsNoJump) {
     // 3 m to the edge at 6 m/s; the jump key is held all the time, so it is never pressed while on the
     // ground.
     const SimulationReport report =
-        simulate(stripes.scene(), {}, Vec3(7, 0.95, 5), tape_of({{10, {}}, {60, {Vec2(1, 0), false}}}));
+        simulate(stripes.scene(), {}, Vec3(7, 0.95, 5), tape_of({{10, {}}, {60, {Vec2(1, 0), {}}}}));
     ASSERT_GE(report.events.size(), 2u);
     EXPECT_EQ(report.events[1].kind, "leave ground");
     EXPECT_EQ(find_event(report, "jump"), nullptr);
@@ -136,7 +136,7 @@ TEST(Simulate, WalkingOffTheEdgeIsNoJump) {
 TEST(Simulate, ReportsTheSurfaceThatIsWalkedOn) {
     const Stripes stripes;
     const SimulationReport report =
-        simulate(stripes.scene(), {}, Vec3(0, 0.95, 8), tape_of({{10, {}}, {60, {Vec2(0, 1), false}}}));
+        simulate(stripes.scene(), {}, Vec3(0, 0.95, 8), tape_of({{10, {}}, {60, {Vec2(0, 1), {}}}}));
     const SimulationEvent* surface = find_event(report, "surface");
     ASSERT_NE(surface, nullptr);
     EXPECT_EQ(surface->detail, "ice");
@@ -150,7 +150,7 @@ TEST(Simulate, AHazardPutsThePlayerBackAndCountsNoDistanceForIt) {
     SimulationOptions options;
     options.keep_states = true;
     const SimulationReport report =
-        simulate(stripes.scene(), {}, start, tape_of({{40, {Vec2(0, 0), true}}}), options);
+        simulate(stripes.scene(), {}, start, tape_of({{40, {Vec2(0, 0), Button::jump}}}), options);
     const SimulationEvent* hazard = find_event(report, "hazard");
     ASSERT_NE(hazard, nullptr);
     EXPECT_EQ(hazard->detail, "hazard");
@@ -188,7 +188,7 @@ TEST(Simulate, TheLevelsFallLimitEndsFallsAndCountsThem) {
     level.overrides.resize(1);
     std::mt19937 random(5);
     std::uniform_real_distribution<double> height(-50.0, -1.0);
-    const auto tape = std::make_shared<const Tape>(tape_of({{900, {Vec2(0, 1), false}}}));
+    const auto tape = std::make_shared<const Tape>(tape_of({{900, {Vec2(0, 1), {}}}}));
     const Vec3 start(0, 1, 0);
     for (int i = 0; i < 20; ++i) {
         level.fall_limit = height(random);
@@ -218,7 +218,7 @@ TEST(Simulate, TheLevelsFallLimitEndsFallsAndCountsThem) {
 
 TEST(Simulate, ASettingChangedOnTheWayCountsFromItsTickOn) {
     const Stripes stripes;
-    Tape tape = tape_of({{40, {Vec2(1, 0), false}}});
+    Tape tape = tape_of({{40, {Vec2(1, 0), {}}}});
     tape.changes = {{20, "walk_speed=2"}};
     SimulationOptions options;
     options.keep_states = true;
@@ -234,7 +234,7 @@ TEST(Simulate, ASettingChangedOnTheWayCountsFromItsTickOn) {
 TEST(Simulate, TheEndHashIsThatOfTheLastTick) {
     const Stripes stripes;
     const SimulationReport report =
-        simulate(stripes.scene(), {}, Vec3(0, 0.95, 5), tape_of({{90, {Vec2(1, 0), false}}}));
+        simulate(stripes.scene(), {}, Vec3(0, 0.95, 5), tape_of({{90, {Vec2(1, 0), {}}}}));
     EXPECT_EQ(report.end_hash, report.second_hashes.back());
 }
 

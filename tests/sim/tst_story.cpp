@@ -218,10 +218,10 @@ void expect_run_equal_to_the_trace(const MovementScene& scene, std::shared_ptr<c
 TEST(Story, EveryNumberEqualsTheTrace) {
     const Stripes stripes;
     const auto tape = std::make_shared<const Tape>(tape_of({{30, {}},
-                                                            {60, {Vec2(0, 1), false}},
-                                                            {1, {Vec2(0, 1), true}},
-                                                            {120, {Vec2(0.5, 0.5), false}},
-                                                            {100, {Vec2(-1, 0), false}}}));
+                                                            {60, {Vec2(0, 1), {}}},
+                                                            {1, {Vec2(0, 1), Button::jump}},
+                                                            {120, {Vec2(0.5, 0.5), {}}},
+                                                            {100, {Vec2(-1, 0), {}}}}));
     for (const Vec3& start : {Vec3(0, 1.2, 5), Vec3(0, 1.2, 16), Vec3(0, 1.2, 27), Vec3(0, 2, 35)})
         expect_run_equal_to_the_trace(stripes.scene(), tape, {}, start);
 }
@@ -243,7 +243,7 @@ TEST(Story, EveryNumberAtAKerbAndAWallEqualsTheTrace) {
     const Result<CollisionWorld> world = CollisionWorld::build({positions, triangles, faces});
     ASSERT_TRUE(world.ok());
     const std::vector<SurfaceType> surfaces = preset_surface_types();
-    const auto tape = std::make_shared<const Tape>(tape_of({{150, {Vec2(0.9, 0.2), false}}}));
+    const auto tape = std::make_shared<const Tape>(tape_of({{150, {Vec2(0.9, 0.2), {}}}}));
     for (const bool step_up : {true, false}) {
         MovementSettings settings;
         settings.step_up = step_up;

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
 
 #include "slipface/sim/simulate.h"
 
@@ -23,11 +26,12 @@ void expect_equal(const Tape& a, const Tape& b) {
     EXPECT_EQ(a.from_basic, b.from_basic);
     EXPECT_EQ(a.changes, b.changes);
     EXPECT_EQ(a.end_hash, b.end_hash);
+    EXPECT_EQ(a.own_buttons, b.own_buttons);
     ASSERT_EQ(a.segments.size(), b.segments.size());
     for (std::size_t i = 0; i < a.segments.size(); ++i) {
         EXPECT_EQ(a.segments[i].ticks, b.segments[i].ticks);
         EXPECT_EQ(a.segments[i].input.wish, b.segments[i].input.wish);
-        EXPECT_EQ(a.segments[i].input.jump, b.segments[i].input.jump);
+        EXPECT_EQ(a.segments[i].input.buttons, b.segments[i].input.buttons);
     }
 }
 
@@ -70,9 +74,9 @@ TEST(Tape, ReadsEveryKindOfLine) {
     ASSERT_EQ(tape.segments.size(), 4u);
     EXPECT_EQ(tape.segments[0].input.wish, Vec2(0, -1));
     EXPECT_EQ(tape.segments[1].input.wish, Vec2(0.6, -0.8));
-    EXPECT_TRUE(tape.segments[1].input.jump);
-    EXPECT_TRUE(tape.segments[2].input.jump);
-    EXPECT_FALSE(tape.segments[3].input.jump);
+    EXPECT_TRUE(tape.segments[1].input.buttons.has(Button::jump));
+    EXPECT_TRUE(tape.segments[2].input.buttons.has(Button::jump));
+    EXPECT_FALSE(tape.segments[3].input.buttons.has(Button::jump));
     EXPECT_EQ(tape.surfaces_fingerprint, 0x0123456789abcdefu);
     EXPECT_TRUE(tape.from_basic);
     EXPECT_EQ(tape.changes, (std::vector<TapeChange>{{61, "gravity=12"}, {61, "walk_speed=5"}}));
@@ -88,8 +92,8 @@ TEST(Tape, ComesBackFromItsText) {
 TEST(Tape, NumbersComeBackBitByBit) {
     Tape tape;
     tape.start = Vec3(1.0 / 3.0, -1e-300, 123456.789);
-    append_tick(tape, {Vec2(std::sqrt(0.5), -std::sqrt(0.5)), false});
-    append_tick(tape, {Vec2(0.1, 1.0 / 7.0), true});
+    append_tick(tape, {Vec2(std::sqrt(0.5), -std::sqrt(0.5)), {}});
+    append_tick(tape, {Vec2(0.1, 1.0 / 7.0), Button::jump});
     expect_equal(parsed(tape_to_text(tape)), tape);
 }
 
@@ -102,7 +106,7 @@ TEST(Tape, LineEndsOfWindowsAndAMissingLastOneAreFine) {
 TEST(Tape, AppendedTicksAreGathered) {
     Tape tape;
     for (int i = 0; i < 10; ++i)
-        append_tick(tape, {Vec2(0, 1), i >= 7});
+        append_tick(tape, {Vec2(0, 1), {Button::jump, i >= 7}});
     append_tick(tape, {});
     ASSERT_EQ(tape.segments.size(), 3u);
     EXPECT_EQ(tape.segments[0].ticks, 7);
@@ -112,7 +116,7 @@ TEST(Tape, AppendedTicksAreGathered) {
 
 TEST(Tape, AChangeInsideASegmentCutsItInTwo) {
     Tape tape;
-    tape.segments = {{10, {Vec2(0, 1), false}}};
+    tape.segments = {{10, {Vec2(0, 1), {}}}};
     tape.changes = {{4, "gravity=10"}};
     const Tape read = parsed(tape_to_text(tape));
     ASSERT_EQ(read.segments.size(), 2u);
@@ -182,11 +186,60 @@ constexpr BadTape bad_tapes[] = {
     {"NanWish", "slipface-tape 1\n5 wish nan,0\n", "run.tape:2", "nan,0"},
     {"DeepWish", "slipface-tape 1\n5 wish 0,0,0\n", "run.tape:2", "0,0,0"},
     {"TrailingWord", "slipface-tape 1\n5 wish 0,1 jump jump\n", "run.tape:2", "[jump]"},
+    {"ButtonTwice", "slipface-tape 1\n5 swim jump swim\n", "run.tape:2", "swim"},
+    {"NoButton", "slipface-tape 1\n5 jump Swim\n", "run.tape:2", "Swim"},
+    {"LongButton", "slipface-tape 1\n5 aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\n", "run.tape:2", "aaaaa"},
+    {"TooManyButtons", "slipface-tape 1\n5 a b c d e f g h i j k l m n o p q r s t u v w x\n1 y\n",
+     "run.tape:3", "at most 24"},
     {"WrongOrder", "slipface-tape 1\n5 jump wish 0,1\n", "run.tape:2", "wish"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Tapes, BadTapes, testing::ValuesIn(bad_tapes),
                          [](const auto& row) { return std::string(row.param.name); });
+
+TEST(Tape, KeepsEveryButton) {
+    std::uint64_t random = 7;
+    const auto below = [&](std::size_t count) {
+        random = random * 6364136223846793005ULL + 1442695040888963407ULL;
+        return static_cast<std::size_t>(random >> 33) % count;
+    };
+    for (int i = 0; i < 200; ++i) {
+        // Names of the table, of a game, and of a newer program.
+        std::vector<std::string> names;
+        for (const ButtonInfo& info : button_table())
+            names.emplace_back(info.name);
+        const std::size_t own = below(ButtonSet::capacity - ButtonSet::first_own + 1);
+        for (std::size_t k = 0; k < own; ++k)
+            names.push_back("b" + std::to_string(below(1000) * 100 + k));
+        std::string text = "slipface-tape 1\ndt 1/60\n";
+        for (int line = 0; line < 20; ++line) {
+            text += std::to_string(1 + below(90)) + (below(2) == 0 ? " wish 0,-1" : "");
+            for (const std::string& name : names)
+                if (below(3) == 0) text += " " + name;
+            text += "\n";
+        }
+        const Tape tape = parsed(text);
+        const std::string written = tape_to_text(tape);
+        expect_equal(parsed(written), tape);
+        // Nothing was lost: each line has the words that it had.
+        std::istringstream before(text), after(written);
+        for (std::string a, b; std::getline(before, a) && std::getline(after, b);) {
+            std::istringstream x(a), y(b);
+            const std::multiset<std::string> words_a{std::istream_iterator<std::string>(x), {}};
+            const std::multiset<std::string> words_b{std::istream_iterator<std::string>(y), {}};
+            ASSERT_EQ(words_a, words_b) << i;
+        }
+    }
+}
+
+TEST(Tape, ATapeWithoutNamesHasNamesByNumber) {
+    Tape tape;
+    PlayerInput input{.buttons = Button::dash};
+    input.buttons.bits |= 1U << (ButtonSet::first_own + 2);
+    append_tick(tape, input);
+    EXPECT_THAT(tape_to_text(tape), HasSubstr("1 dash own3\n"));
+    EXPECT_EQ(parsed(tape_to_text(tape)).own_buttons, std::vector<std::string>{"own3"});
+}
 
 TEST(Tape, TheLimitItselfIsAllowed) {
     EXPECT_EQ(parsed("slipface-tape 1\n9999999\n1\n").tick_count(), max_tape_ticks);

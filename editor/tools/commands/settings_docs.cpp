@@ -6,6 +6,7 @@
 
 #include "slipface/base/markdown.h"
 #include "slipface/base/text.h"
+#include "slipface/movement/buttons.h"
 #include "slipface/movement/settings.h"
 #include "slipface/movement/surface_type.h"
 #include "tools/commands/docs.h"
@@ -50,6 +51,14 @@ std::string settings_markdown() {
         text += markdown_row({info.label, markdown_code(info.name), standard, range, meaning_of(info),
                               info.too_small, info.too_large});
     }
+    text +=
+        "\n## Buttons\n\nTapes, scripts and Python use the names; the keys, by their place on a US keyboard, "
+        "and "
+        "those of a gamepad hold them in a playtest. A tape keeps the names of others.\n\n" +
+        markdown_row({"Button", "Name", "Key", "Gamepad", "Meaning"}) +
+        markdown_row({"---", "---", "---", "---", "---"});
+    for (const ButtonInfo& info : button_table())
+        text += markdown_row({info.label, markdown_code(info.name), info.key, info.pad, info.meaning});
     text += "\n## Surface types\n\n" + markdown_row({"Parameter", "Name", "Unit", "Range", "Meaning"}) +
             markdown_row({"---", "---", "---", "---", "---"});
     for (const SurfaceField& field : surface_fields()) {

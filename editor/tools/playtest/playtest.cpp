@@ -37,7 +37,7 @@ void Playtest::start(const Vec3& spawn, double spawn_yaw) {
     yaw = spawn_yaw;
     pitch = -0.2;
     unspent_s_ = 0.0;
-    jump_pressed_ = false;
+    pressed_ = {};
     trace_.clear();
     tape_.start = spawn;
     tape_.from_basic = true;
@@ -74,7 +74,7 @@ int Playtest::advance(const TickScene& scene, const MovementSettings& settings, 
         yaw = std::remainder(yaw - input.look.x(), 2.0 * std::numbers::pi);
         pitch = std::clamp(pitch + input.look.y(), -steepest_look, steepest_look);
     }
-    jump_pressed_ = jump_pressed_ || input.jump;
+    pressed_ = pressed_ | input.buttons;
     if (!(seconds > 0.0)) return 0;
 
     unspent_s_ += seconds;
@@ -93,8 +93,8 @@ int Playtest::advance(const TickScene& scene, const MovementSettings& settings, 
                 tape_.changes.push_back({tape_ticks_, std::move(change)});
         }
         tape_settings_ = settings;
-        const PlayerInput tick_input{world_wish(input.stick, yaw), jump_pressed_ || input.jump};
-        jump_pressed_ = false;
+        const PlayerInput tick_input{world_wish(input.stick, yaw), pressed_ | input.buttons};
+        pressed_ = {};
         append_tick(tape_, tick_input);
 
         TraceRecorder recorder;

@@ -9,7 +9,7 @@ namespace slipface {
 
 struct PlaytestInput {
     Vec2 stick = Vec2::Zero();  // right, forward; length 0..1, relative to the camera
-    bool jump = false;          // held
+    ButtonSet buttons{};        // held
     Vec2 look = Vec2::Zero();   // rotation in radians: yaw to the right, pitch up
 };
 
@@ -61,7 +61,7 @@ class Playtest {
     double spawn_yaw_ = 0.0;
     int falls_ = 0;
     double unspent_s_ = 0.0;
-    bool jump_pressed_ = false;  // since the last tick, even if released again
+    ButtonSet pressed_;  // since the last tick, even if released again
     Tape tape_;
     std::size_t tape_ticks_ = 0;
     std::uint64_t hash_ = 0;

@@ -225,9 +225,18 @@ SLIPFACE_API slipface_status slipface_overlaps(slipface_world world, slipface_ve
 
 /* ---- Players ----------------------------------------------------------------------------------------- */
 
+typedef enum slipface_button {
+    SLIPFACE_JUMP = 1 << 0,
+    SLIPFACE_CROUCH = 1 << 1,
+    SLIPFACE_DASH = 1 << 2,
+    SLIPFACE_GRAB = 1 << 3,
+    SLIPFACE_DROP = 1 << 4
+} slipface_button;
+
 typedef struct slipface_input {
     double wish_x, wish_z; /* wanted velocity as a fraction of the walking speed; longer than 1 counts as 1 */
-    uint8_t jump;          /* 1: the button is held */
+    uint8_t jump;          /* 1: the button is held, as SLIPFACE_JUMP in buttons */
+    uint32_t buttons;      /* those that are held: slipface_button, and from bit 8 on a game's own */
 } slipface_input;
 
 typedef enum slipface_carrier {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "slipface/movement/scene.h"
+#include "slipface/movement/buttons.h"
 #include "slipface/movement/settings.h"
 #include "slipface/movement/trace.h"
 
@@ -13,7 +14,7 @@ struct PlayerInput {
     // Wanted horizontal velocity (x, z) in world space, as a fraction of the walking speed; longer than 1
     // counts as 1.
     Vec2 wish = Vec2::Zero();
-    bool jump = false;  // the button is held
+    ButtonSet buttons{};  // that are held
 };
 
 // What carries a player: what its velocity is relative to.

@@ -15,7 +15,7 @@ inline constexpr std::uint32_t press_directions = 64;
 struct Press {
     std::uint16_t ticks = 0;
     std::uint8_t stick = 0;
-    bool jump = false;
+    std::uint8_t buttons = 0;  // ButtonSet::bits: those of button_table()
     friend bool operator==(const Press&, const Press&) = default;
 };
 

@@ -10,10 +10,13 @@
 //   start 0,1,0                          (optional; else the level's spawn)
 //   60 wish 0,-1                         (for 60 ticks: walk along -Z)
 //   set step_up=off                      (from the next tick on)
-//   1 wish 0,-1 jump
+//   1 wish 0,-1 jump                     (buttons that are held: names of button_table(), or any others)
 //   end 0123456789abcdef                 (state_hash() after the last tick; optional)
 //
 //   # comments and empty lines are ignored
+//
+// Buttons that the table does not name, a game's own or those of a newer program, are kept with their names
+// and change nothing in a run.
 //
 // With `settings basic`, `start` and `end` a tape is a complete bug report.
 #pragma once
@@ -51,6 +54,8 @@ struct Tape {
     std::vector<TapeSegment> segments;
     std::vector<TapeChange> changes;  // ascending by tick, which is above 0
     std::optional<std::uint64_t> end_hash;
+    // Names of the buttons from ButtonSet::first_own on: lowercase letters, digits and underscores.
+    std::vector<std::string> own_buttons;
 
     std::size_t tick_count() const;
 };
@@ -62,6 +67,10 @@ Result<Tape> parse_tape(std::string_view text, const std::string& location);
 Result<Tape> load_tape(const std::filesystem::path& path);
 // The text of a tape. parse_tape() reads the same run back; a change inside a segment splits the segment.
 std::string tape_to_text(const Tape& tape);
+
+// The names of the buttons that are held, in the order of their bits; "own3" for one that the tape has no
+// name for.
+std::vector<std::string> button_names(const Tape& tape, ButtonSet buttons);
 
 // Appends one tick. Equal inputs are joined into one segment.
 void append_tick(Tape& tape, const PlayerInput& input);
