@@ -13,12 +13,17 @@ PlayerState state_of(const World& in, const slipface_player& player) {
     state.velocity = finite(player.velocity, "velocity");
     state.ground_normal = finite(player.ground_normal, "ground_normal");
     state.air_frame = finite(player.air_frame, "air_frame");
-    for (const double number : {player.ground_rise, player.coyote_s, player.jump_buffer_s})
+    for (const double number : {player.ground_rise, player.coyote_s, player.jump_buffer_s, player.wall_x,
+                                player.wall_z, player.wall_lock_s})
         if (!std::isfinite(number))
             refuse(SLIPFACE_WRONG_ARGUMENT, "player: found {}, expected finite numbers", number);
     state.ground_rise = player.ground_rise;
     state.coyote_s = player.coyote_s;
     state.jump_buffer_s = player.jump_buffer_s;
+    state.wall_x = player.wall_x;
+    state.wall_z = player.wall_z;
+    state.wall_lock_s = player.wall_lock_s;
+    state.air_jumps = player.air_jumps;
     for (std::size_t axis = 0; axis < 3; ++axis)
         state.sector[axis] = player.sector[axis];
     state.ground_face = player.ground_face;
@@ -54,6 +59,10 @@ slipface_player player_of(const PlayerState& state) {
     player.ground_rise = state.ground_rise;
     player.coyote_s = state.coyote_s;
     player.jump_buffer_s = state.jump_buffer_s;
+    player.wall_x = state.wall_x;
+    player.wall_z = state.wall_z;
+    player.wall_lock_s = state.wall_lock_s;
+    player.air_jumps = state.air_jumps;
     for (std::size_t axis = 0; axis < 3; ++axis)
         player.sector[axis] = state.sector[axis];
     player.ground_face = state.ground_face;

@@ -10,10 +10,11 @@ double accelerate(Mover& mover, double friction, bool slippery) {
     const MovementSettings& settings = mover.settings;
     const bool idle = mover.wish.isZero(0.0);
     if (idle && (slippery || !mover.was_grounded)) return 0.0;
+    if (!mover.was_grounded && stick_is_locked(mover)) return 0.0;
     const double acceleration = slippery             ? settings.slippery_acceleration * friction
                                 : mover.was_grounded ? settings.ground_acceleration * friction
                                                      : steering_in_air(mover);
-    const Vec3 stick(mover.wish.x(), 0.0, mover.wish.y()), frame = horizontal(mover.state.air_frame);
+    const Vec3 stick(mover.wish.x(), 0.0, mover.wish.y()), frame = horizontal(mover.air_frame);
     const bool brakes = mover.was_grounded && !slippery;
     const Vec3 target = frame + (brakes ? Vec3(stick * settings.walk_speed)
                                         : speed_asked_for(mover, stick, horizontal(mover.velocity) - frame));

@@ -88,7 +88,7 @@ void meet_others(Mover& mover, const Hit& hit, Corner& corner) {
     // So far ahead lies what the move grazes at seven degrees or more.
     const Vec3 ahead = mover.position + 8.0 * skin * direction_of(corner.led);
     std::array<SceneOverlap, 16> found;
-    const std::size_t count = touched_in_scene(mover, ahead, found);
+    const std::size_t count = touched_in_scene(mover, mover.settings.radii, ahead, found);
     for (const SceneOverlap& other : std::span(found).first(count)) {
         if (other.feature != Feature::interior || other.face == hit.contact.face) continue;
         const SurfaceType& surface = surface_of(mover, other.surface);

@@ -32,22 +32,21 @@ Drive drive_freely(Mover& mover, bool jumps) {
                 .glides = touching && !jumps};
 
     mover.was_grounded = state.grounded && !jumps;
-    mover.velocity = state.velocity;
-    if (jumps) {
-        mover.velocity = jump_velocity(mover);
-        mover.jumped = true;
-        mover.jumping = true;
-    } else if (state.grounded && drive.split) {
+    if (!jumps) {
+        mover.velocity = state.velocity;
         // The downward press is not a motion: what the player does have is the descent along the slope.
-        mover.velocity.y() = settings.ground_velocity ? -descent(state.ground_normal, mover.velocity) : 0.0;
+        if (state.grounded && drive.split)
+            mover.velocity.y() =
+                settings.ground_velocity ? -descent(state.ground_normal, mover.velocity) : 0.0;
+        cut_jump(mover);
     }
-    if (!jumps) cut_jump(mover);
     mover.velocity_before = mover.velocity;
     if (mover.was_grounded || slippery) drive.friction = friction_of(support);
     const double spare = accelerate(mover, drive.friction, slippery);
     drive.driven = mover.velocity;
     if (mover.was_grounded && drive.split) pull_down_slope(mover, drive.friction, spare);
     fall(mover, !drive.split && drive.glides ? state.ground_normal : Vec3(Vec3::Zero()));
+    if (!mover.was_grounded && !jumps) slide_down_wall(mover);
     drive.move = 0.5 * mover.dt * (mover.velocity_before + mover.velocity);
     return drive;
 }
@@ -60,6 +59,7 @@ Drive choose_drive(Mover& mover) {
     const bool held = state.stuck && sticks(mover, support);
     const bool on_ladder = state.climbing && support.climbable;
     const bool jump = wants_jump(mover);
+    mover.air_frame = state.air_frame;
     // The surface that carries the player may have carried it into a sticky one.
     if (mover.stuck) {
         mover.velocity = Vec3::Zero();
@@ -70,7 +70,7 @@ Drive choose_drive(Mover& mover) {
         return {};
     }
     if (on_ladder && !jump) return {.kind = Drive::Kind::climb};
-    return drive_freely(mover, jump && may_jump(mover));
+    return drive_freely(mover, jump && start_jump(mover));
 }
 
 }  // namespace slipface

@@ -13,14 +13,6 @@
 
 namespace slipface {
 
-namespace {
-
-bool holds(const PlayerState& state) {
-    return state.grounded || state.climbing || state.stuck;
-}
-
-}  // namespace
-
 Vec3 kept_on_leave(LeaveMode mode, const Vec3& ground) {
     Vec3 upward(0.0, std::max(ground.y(), 0.0), 0.0);
     switch (mode) {
@@ -63,12 +55,12 @@ Carrier carrier_of(const Mover& mover, const Support& on) {
 
 void change_frame(Mover& mover) {
     const PlayerState& state = mover.state;
-    const bool held = holds(state), holds_on = mover.grounded || mover.climbing || mover.stuck;
+    const bool held = is_held(state), holds_on = is_held(mover);
     const bool carried = held && state.carrier != Carrier::character;
     Vec3 from = carried ? ground_velocity(mover, mover.position, support_of(mover), state.ground_platform)
                         : mover.frame;
     Vec3 to = Vec3::Zero();
-    mover.air_frame = state.air_frame + mover.frame;
+    mover.air_frame += mover.frame;
     if (holds_on || mover.bounced) {
         const Vec3 ground = ground_velocity(mover, mover.position, surface_of(mover, mover.support.surface),
                                             mover.support.platform);

@@ -107,8 +107,8 @@ bool stands_by_friction(const Mover& mover, const Drive& drive) {
 // What contacts and height leave of the velocity.
 void settle(Mover& mover, const Drive& drive, const Vec3& from) {
     if (stands_by_friction(mover, drive) && mover.wish.isZero(0.0)) coast(mover, from, drive);
-    // In the air nothing but speed pays for the height that a ramp gives.
-    const bool flying = !mover.was_grounded && !mover.grounded && mover.contacts > 0;
+    // In the air nothing but speed pays for the height that a ramp gives; a wall that is slid along may lift.
+    const bool flying = !mover.was_grounded && !mover.grounded && !mover.on_wall && mover.contacts > 0;
     // Where the ground was left, a fall has the height that the slope's pull had counted on.
     const bool slid_off = mover.was_grounded && !mover.grounded && drive.friction < 1.0;
     if (!drive.split || flying || slid_off || mover.kept_energy || mover.bounced)

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <variant>
 
 #include "slipface/collision/neighbourhood.h"
 #include "slipface/movement/step.h"
@@ -54,8 +55,9 @@ struct Motion {
     std::array<Vec3, 2> walls;  // horizontal unit normals of the first two walls that a horizontal pass hit
     int wall_count = 0;
     Support support;
-    Vec3 air_frame = Vec3::Zero();  // of the new state
-    double support_rise = 0.0;      // of the point stood on above the ellipsoid's lowest point, m
+    Vec3 air_frame =
+        Vec3::Zero();  // of the ground that was left, in the frame of the step; then of the new state
+    double support_rise = 0.0;  // of the point stood on above the ellipsoid's lowest point, m
 };
 
 // Platforms that a step can touch.
@@ -110,11 +112,14 @@ struct Scratch {
     Vec3 frame = Vec3::Zero();
     bool was_grounded = false;  // before, and does not jump now
     bool jumped = false;
-    bool began_free = false;  // touched nothing where it began, not even from behind
-    bool pressed = false;     // a platform that moves overlaps the player, who could not give way
-    FaceId presser = no_id;   // of the platform that does so
-    bool swallowed = false;   // one has run past it
-    bool on_ladder = false;   // the move climbs: ladders are slid along instead of grabbed
+    bool air_jumped = false;
+    bool on_wall = false;            // slides down one or jumps off one
+    Vec3 jumped_off = Vec3::Zero();  // the horizontal direction out of the wall that a jump starts from
+    bool began_free = false;         // touched nothing where it began, not even from behind
+    bool pressed = false;            // a platform that moves overlaps the player, who could not give way
+    FaceId presser = no_id;          // of the platform that does so
+    bool swallowed = false;          // one has run past it
+    bool on_ladder = false;          // the move climbs: ladders are slid along instead of grabbed
     std::uint32_t ignored_platform = no_id;  // the one that carries or pushes the player now
     int sweeps = 0;
     int contacts = 0;
@@ -231,7 +236,8 @@ std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<
 struct SceneOverlap : Overlap {
     std::uint32_t platform = no_id;
 };
-std::size_t touched_in_scene(const Mover& mover, const Vec3& centre, std::span<SceneOverlap> out);
+std::size_t touched_in_scene(const Mover& mover, const Vec3& radii, const Vec3& centre,
+                             std::span<SceneOverlap> out);
 bool overlaps_scene(const Mover& mover, const Vec3& centre);
 bool is_free(const Mover& mover, const Vec3& centre);  // of one-sided faces, too
 struct SceneRay : RayHit {
@@ -439,24 +445,66 @@ bool no_deeper_than_steps(const Mover& mover, const Vec3& begin, const Contact& 
 // Jumping. Windows are counted down in the state, so they are exact to the tick at every rate: one of w
 // seconds holds for the w / dt steps after it opened. Repeated subtraction may leave a little of one that has
 // run out.
+inline bool is_held(const PlayerState& state) {
+    return state.grounded || state.climbing || state.stuck;
+}
+inline bool is_held(const Motion& motion) {
+    return motion.grounded || motion.climbing || motion.stuck;
+}
 inline bool is_open(double window_s, double dt) {
     return window_s > 1e-6 * dt;
 }
 bool wants_jump(const Mover& mover);  // pressed now, or remembered
-bool may_jump(const Mover& mover);    // held by something, or just left it
-Vec3 jump_velocity(const Mover& mover);
+// True: the press starts a jump, and the mover has its velocity.
+bool start_jump(Mover& mover);
+// Jumps, one file each: the velocity, m/s, that the jump starts with, or why there is none. The list of them
+// is in jump.cpp.
+using JumpStart = std::variant<std::monostate, Vec3, Refusal>;  // monostate: nothing is to be said of it
+// Nothing: the player is held by something or left it just now.
+std::optional<Refusal> too_late_to_jump(const Mover& mover);
+JumpStart jump_from_hold(Mover& mover);  // held by something, or just left it
+JumpStart jump_off_wall(Mover& mover);
+JumpStart jump_in_air(Mover& mover);
 void cut_jump(Mover& mover);
 
-// Clocks of hacks: members of the state, and what each is after the step.
+// Walls: within 30 degrees of upright, seen from the side that is solid.
+struct Wall {
+    Vec3 out;  // horizontal, unit
+    Support support;
+};
+// The nearest wall at most `reach` metres beside the body.
+std::optional<Wall> wall_beside(const Mover& mover, double reach);
+// A wall that the player touched in the step before. No query.
+bool touches_wall(const PlayerState& state);
+// How directly the stick points into it: a cosine, 0 with the stick at rest.
+double push_into(const Mover& mover, const Wall& wall);
+void slide_down_wall(Mover& mover);
+bool stick_is_locked(const Mover& mover);
+
+// Clocks and counts of hacks: members of the state, and what each is after the step.
 struct Clock {
     double PlayerState::*member;
     double (*after)(const Mover&);
 };
+struct Count {
+    std::uint8_t PlayerState::*member;
+    std::uint8_t (*after)(const Mover&);
+};
 double coyote_after(const Mover& mover);
 double jump_buffer_after(const Mover& mover);
+double wall_x_after(const Mover& mover);
+double wall_z_after(const Mover& mover);
+double wall_lock_after(const Mover& mover);
+std::uint8_t air_jumps_after(const Mover& mover);
 inline constexpr auto clocks = std::to_array<Clock>({
     {&PlayerState::coyote_s, coyote_after},
     {&PlayerState::jump_buffer_s, jump_buffer_after},
+    {&PlayerState::wall_x, wall_x_after},
+    {&PlayerState::wall_z, wall_z_after},
+    {&PlayerState::wall_lock_s, wall_lock_after},
+});
+inline constexpr auto counts = std::to_array<Count>({
+    {&PlayerState::air_jumps, air_jumps_after},
 });
 
 }  // namespace slipface

@@ -29,7 +29,7 @@ PlayerState state_after(const Mover& mover) {
     after.jumping = mover.jumping && !mover.grounded && !mover.climbing && !mover.stuck;
     after.trapped = mover.trapped;
     after.crushed = mover.crushed;
-    if (mover.grounded || mover.climbing || mover.stuck) {
+    if (is_held(mover)) {
         after.carrier = carrier_of(mover, mover.support);
     } else {
         after.carrier = Carrier::level;
@@ -44,6 +44,8 @@ PlayerState state_after(const Mover& mover) {
     }
     for (const Clock& clock : clocks)
         after.*clock.member = clock.after(mover);
+    for (const Count& count : counts)
+        after.*count.member = count.after(mover);
     return after;
 }
 

@@ -146,14 +146,14 @@ std::size_t overlaps_in_scene(const Mover& mover, const Vec3& centre, std::span<
     return count;
 }
 
-std::size_t touched_in_scene(const Mover& mover, const Vec3& centre, std::span<SceneOverlap> out) {
+std::size_t touched_in_scene(const Mover& mover, const Vec3& radii, const Vec3& centre,
+                             std::span<SceneOverlap> out) {
     std::size_t count = 0;
     each_world(mover, centre, Vec3::Zero(),
                [&](const auto& world, std::uint32_t platform, std::span<const TriangleId>) {
                    std::array<Overlap, 16> found;
-                   const std::size_t here =
-                       std::min({find_overlaps(world, mover.settings.radii, centre, found), found.size(),
-                                 out.size() - count});
+                   const std::size_t here = std::min(
+                       {find_overlaps(world, radii, centre, found), found.size(), out.size() - count});
                    for (std::size_t i = 0; i < here; ++i)
                        out[count++] = {found[i], platform};
                });

@@ -33,6 +33,21 @@ struct TrialScene {
     CollisionWorld world;
 };
 
+// When a flight jumps again in the air: at the top, which leads highest, or back at the height where it
+// began, which leads farthest.
+enum class Again { never, at_top, at_height };
+
+// Whether the button is held in the next tick of a flight that began at that height. To press it again it is
+// let go for a tick.
+bool presses(const MovementSettings& settings, const PlayerState& state, double dt, Again again,
+             double height) {
+    if (again == Again::never || state.air_jumps >= settings.air_jumps) return true;
+    const double falls = -state.velocity.y();
+    const bool due =
+        falls >= 0.0 && (again == Again::at_top || state.position.y() - 2.0 * dt * falls <= height);
+    return !(due && state.jump_held);
+}
+
 // Whether a straight run, with a jump in one of its last ticks before the edge or wall or after it, ends on
 // the floor beyond; without `jumps`, whether the run alone does.
 bool masters(const MovementSettings& settings, double dt, double gap, double rise, bool jumps) {
@@ -55,12 +70,16 @@ bool masters(const MovementSettings& settings, double dt, double gap, double ris
     }
     if (!jumps) return false;
     const std::size_t first = trail.size() - std::min<std::size_t>(trail.size(), 2 * branch_ticks);
-    for (std::size_t from = first; from < trail.size(); ++from) {
-        state = trail[from];
-        for (int i = 0; i < flight_ticks && state.position.y() > -3.0; ++i) {
-            state = step(scene, settings, state, {Vec2(1, 0), Button::jump}, dt).state;
-            if (beyond(state)) return true;
-            if (i > 2 && state.grounded) break;
+    for (const Again again : {Again::never, Again::at_top, Again::at_height}) {
+        if (again != Again::never && !settings.air_jump) break;
+        for (std::size_t from = first; from < trail.size(); ++from) {
+            state = trail[from];
+            for (int i = 0; i < flight_ticks && state.position.y() > -3.0; ++i) {
+                const bool held = presses(settings, state, dt, again, trail[from].position.y());
+                state = step(scene, settings, state, {Vec2(1, 0), {Button::jump, held}}, dt).state;
+                if (beyond(state)) return true;
+                if (i > 2 && state.grounded) break;
+            }
         }
     }
     return false;

@@ -29,7 +29,8 @@ struct Arrival {
 struct Passage {
     std::uint32_t from = no_id;
     std::uint32_t ticks = 0;
-    bool flew = false, jumped = false, climbed = false, rode = false;
+    bool flew = false, jumped = false, jumped_in_air = false, jumped_off_wall = false, climbed = false,
+         rode = false;
     double rise = 0.0;  // m/s, after the last tick
 
     std::optional<Arrival> tick(const PlayerState& state, std::uint32_t region) {
@@ -43,17 +44,21 @@ struct Passage {
             climbed |= state.climbing || state.stuck;
         } else {
             flew = true;
+            jumped_in_air |= state.air_jumps > 0;
+            jumped_off_wall |= state.wall_x != 0.0 || state.wall_z != 0.0;
             jumped |= state.jumping || (rise < 0.0 && state.velocity.y() > 0.0);  // or was thrown up
         }
         rise = state.velocity.y();
         return arrival;
     }
     LinkKind kind() const {
-        return rode      ? LinkKind::ride
-               : climbed ? LinkKind::climb
-               : jumped  ? LinkKind::jump
-               : flew    ? LinkKind::drop
-                         : LinkKind::walk;
+        return rode              ? LinkKind::ride
+               : climbed         ? LinkKind::climb
+               : jumped_off_wall ? LinkKind::wall_jump
+               : jumped_in_air   ? LinkKind::air_jump
+               : jumped          ? LinkKind::jump
+               : flew            ? LinkKind::drop
+                                 : LinkKind::walk;
     }
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "slipface/collision/collision_world.h"
+#include "slipface/sim/reach.h"
 
 namespace slipface {
 namespace {
@@ -55,6 +56,10 @@ class Roller {
         : world_(world),
           settings_(world.level->movement),
           dt_(world.options.dt),
+          in_air_(jumps_in_air(settings_)),
+          flight_(static_cast<std::uint32_t>(
+              std::clamp(2.0 * settings_.jump_speed / std::max(settings_.gravity * dt_, 1e-9), 3.0,
+                         1.0 * longest_flight))),
           scenes_(scenes),
           known_(known),
           from_(from),
@@ -117,10 +122,13 @@ class Roller {
     }
 
     // A press of jump, held for `hold` ticks; steered by `stick`, after `turn` ticks by `then`.
-    void jump(Cursor cursor, std::uint8_t stick, std::uint32_t hold, std::uint32_t turn, std::uint8_t then) {
+    // In the air it is let go and pressed again every `again` ticks; 0: never.
+    void jump(Cursor cursor, std::uint8_t stick, std::uint32_t hold, std::uint32_t turn, std::uint8_t then,
+              std::uint32_t again = 0) {
         if (cursor.state.jump_held && !tick(cursor, stick, false)) return;
         for (std::uint32_t i = 0; i < longest_flight; ++i) {
-            if (!tick(cursor, i < turn ? stick : then, i < hold)) return;
+            const bool presses = again == 0 ? i < hold : i % again < std::min(hold, again - 1);
+            if (!tick(cursor, i < turn ? stick : then, presses)) return;
             if (i > 0 && is_held(cursor.state)) break;
         }
         // What was landed on may slide, carry or be left again at once.
@@ -158,13 +166,16 @@ class Roller {
             const std::uint32_t turn = random->below(40);
             const std::uint32_t from = begin_at + random->below(count - begin_at);
             const std::uint8_t then = random->below(2) == 0 ? stick : steer(*random);
-            return jump(trail[from], stick, hold(*random), turn, then);
+            const std::uint32_t press = again(*random);
+            return jump(trail[from], stick, hold(*random), turn, then, press);
         }
         if (wall) {
             for (const std::uint32_t back : {0u, 7u, 14u})
                 if (back <= at) jump(trail[at - back], stick, longest_flight, longest_flight, stick);
             return;
         }
+        // Over a gap a second jump reaches farthest where the first has come back to its height.
+        if (settings_.air_jump) jump(trail[at], stick, longest_flight, longest_flight, stick, flight_);
         for (std::uint32_t from = at; from < count; ++from) {
             // The last ticks of coyote time reach farthest; those between, first and last, are left to
             // chance.
@@ -184,7 +195,10 @@ class Roller {
                 if (cursor.alive) run_and_branch(cursor, full_stick(stick), 12 + random.below(36), &random);
                 return;
             }
-            case 3: return jump(cursor, stick, hold(random), random.below(48), steer(random));
+            case 3: {
+                const std::uint32_t press = again(random);
+                return jump(cursor, stick, hold(random), random.below(48), steer(random), press);
+            }
             case 4: {  // a jump on landing from a jump
                 const std::uint8_t then = steer(random);
                 for (std::uint32_t i = 0; i < longest_flight; ++i)
@@ -211,8 +225,15 @@ class Roller {
         const PlayerState& state = begin.state;
         Cursor cursor = begin;
         if (!is_held(state)) {
-            if (number >= 12)
-                return jump(begin, steer(random), hold(random), random.below(60), steer(random));
+            if (in_air_ && number < 16) {
+                const std::uint8_t way = full_stick(spread[number / 2]);
+                if (number % 2 == 0) return jump(begin, way, longest_flight, longest_flight, way);
+                return void(go(cursor, longest_flight, way, false, true));
+            }
+            if (number >= 12) {
+                const std::uint32_t press = again(random);
+                return jump(begin, steer(random), hold(random), random.below(60), steer(random), press);
+            }
             const std::uint8_t stick = number < 8 ? main : number == 8 ? stick_at_rest : steer(random);
             return void(go(cursor, longest_flight, stick, false, true));
         }
@@ -246,6 +267,10 @@ class Roller {
         return 1 + random.below(30);
     }
 
+    std::uint32_t again(ReachRandom& random) const {
+        return in_air_ && random.below(3) > 0 ? 2 + random.below(flight_ + flight_ / 2) : 0;
+    }
+
     static bool press(Cursor& cursor, std::uint8_t stick, std::uint8_t buttons) {
         if (cursor.count > 0) {
             Press& last = cursor.presses[cursor.count - 1u];
@@ -270,7 +295,8 @@ class Roller {
                 news = cursor.face;
         }
         const bool apex = !held && rose && state.velocity.y() <= 0.0;
-        if (!held && !apex && cursor.air % air_note != 0) return;
+        const bool at_wall = settings_.wall_jump && !held && state.ground_face != no_id;
+        if (!held && !apex && !at_wall && cursor.air % air_note != 0) return;
         const std::uint64_t cell = world_.cell_key(now, state, cursor.tick);
         bool keeps = news != no_id;
         if (cell != cursor.cell) {
@@ -379,6 +405,8 @@ class Roller {
     const ReachWorld& world_;
     const MovementSettings& settings_;
     double dt_;
+    bool in_air_;           // jumps start in the air, too
+    std::uint32_t flight_;  // ticks of a jump over level ground
     TickScenes& scenes_;
     const ReachKnown& known_;
     NodeId from_;
@@ -456,6 +484,10 @@ std::uint64_t ReachWorld::cell_key(const MovementScene& scene, const PlayerState
         for (const int axis : {0, 2})
             key = mix(key, static_cast<std::uint64_t>(std::llround(state.velocity[axis] / apart)));
         if (!held) key = mix(key, static_cast<std::uint64_t>(std::llround(state.velocity.y() / 4.0)));
+        // What is left of the abilities.
+        if (state.air_jumps > 0) key = mix(key, 256u + state.air_jumps);
+        if (state.wall_x != 0.0 || state.wall_z != 0.0)
+            key = mix(mix(key, grid(state.wall_x, 0.5)), grid(state.wall_z, 0.5));
     }
     if (const std::size_t i = moving_at(at); i < moving.size())
         key = mix(key, (i + 1) * 1024 + moving[i].stage(tick * options.dt));

@@ -84,6 +84,8 @@ inline void put_state(StateWriter& to, const PlayerState& state) {
     to.put(static_cast<std::uint8_t>(state.carrier));
     for (const auto member : PlayerState::numbers)
         to.put(state.*member);
+    for (const auto member : PlayerState::counts)
+        to.put(state.*member);
 }
 
 inline PlayerState get_state(StateReader& from, const Level& level) {
@@ -105,6 +107,8 @@ inline PlayerState get_state(StateReader& from, const Level& level) {
         from.up_to<std::uint8_t>(static_cast<std::uint8_t>(Carrier::character), "a carrier"));
     for (const auto member : PlayerState::numbers)
         state.*member = from.number("a number of a state");
+    for (const auto member : PlayerState::counts)
+        state.*member = from.get<std::uint8_t>();
     return state;
 }
 

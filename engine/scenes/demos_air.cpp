@@ -145,6 +145,45 @@ const auto air_rows = std::to_array<DemoInfo>({
                         "10 wish 0,0\n35 wish 0,-1\n6 wish 0,-1 jump\n60 wish 0,-1\n", {10, 3.5, 0},
                         {0, 1.2, -1.5});
      }},
+    {"air-jump", "air_jump", "Air jump",
+     "A gap too wide for one jump. Off: the player falls into it. On: a second press near the end of the "
+     "jump carries the player across.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.air_jump = true;
+         return demo_of(ledges(7).level(), {0, standing_on_flat(on, 0), 6}, on,
+                        "5 wish 0,0\n60 wish 0,-1\n30 wish 0,-1 jump\n5 wish 0,-1\n40 wish 0,-1 jump\n"
+                        "20 wish 0,0\n",
+                        {12, 3.5, -1}, {0, 0, -3.5});
+     }},
+    {"wall-slide", "wall_slide", "Wall slide",
+     "Along a wall down to a ledge that stands out on the other side. Off: the player falls past it. On: the "
+     "player slides, and the stick leads across in time.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.wall_slide = true;
+         Shapes shapes;
+         shapes.material("plaster").box({-4, -6.5, -8}, {4, -6, 8});
+         shapes.material("stone").box({-2, -6, 0}, {2, 0, 6}).box({-2, -6, -1.8}, {2, -3.2, 0});
+         shapes.material("brick").box({-2, -6, -4.5}, {2, 4, -3.5});
+         return demo_of(shapes.level(), {0, standing_on_flat(on, 0), 3}, on,
+                        "5 wish 0,0\n28 wish 0,-1\n20 wish 0,-1 jump\n50 wish 0,-1\n60 wish 0,1\n",
+                        {13, 0, 0}, {0, -2, -1.5});
+     }},
+    {"wall-jump", "wall_jump", "Wall jump",
+     "A shaft between two walls. Off: the player stays at its bottom. On: jumps from wall to wall lead out.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.wall_jump = true;
+         on.jump_buffer = true;
+         Shapes shapes;
+         shapes.material("plaster").box({-6, -0.5, -4}, {6, 0, 4});
+         shapes.material("brick").box({-4.4, 0, -2}, {-1.4, 4, 2}).box({1.4, 0, -2}, {2.4, 7, 2});
+         return demo_of(shapes.level(), {0, standing_on_flat(on, 0), 0}, on,
+                        "5 wish 0,0\n13 wish -1,0 jump\n7 wish -1,0\n4 wish -1,0 jump\n14 wish 1,0\n"
+                        "8 wish 1,0 jump\n40 wish -1,0 jump\n20 wish 0,0\n",
+                        {1, 4, 14}, {-1, 3, 0});
+     }},
     {"air-control", "air_control", "Air control",
      "The stick changes direction in mid-air. Off: the player flies past the pillar's top. On: the "
      "player lands on it.",

@@ -249,7 +249,7 @@ Tape audit_tape(const Level& level, const AuditOptions& options, const AuditFind
     settings.walk_speed = speed_of(options, settings, finding.walker);
     for (const SettingInfo& info : settings_table())
         tape.settings.push_back(fmt::format("{}={}", info.name, setting_text(settings, info)));
-    Walker walker(options.seed, finding.walker, finding.life, options.dt);
+    Walker walker(options.seed, finding.walker, finding.life, options.dt, settings);
     for (std::uint64_t tick = 0; tick < finding.tick; ++tick)
         append_tick(tape, walker.next());
     tape.end_hash = finding.hash;

@@ -174,14 +174,15 @@ AuditRun::AuditRun(AuditArena& arena, const MovementSettings& settings, std::uin
     : arena_(&arena),
       settings_(settings),
       number_(number),
-      walker_(arena.options.seed, number, 0, arena.options.dt),
+      walker_(arena.options.seed, number, 0, arena.options.dt, settings),
       watch_(arena.options.dt),
       effort_left_(std::max(triangles_per_step * arena.ticks, least_effort)) {
     begin_life();
 }
 
 void AuditRun::begin_life() {
-    walker_ = Walker(arena_->options.seed, number_, static_cast<std::uint32_t>(lives_), arena_->options.dt);
+    walker_ = Walker(arena_->options.seed, number_, static_cast<std::uint32_t>(lives_), arena_->options.dt,
+                     settings_);
     start_ = &arena_->starts[start_of(number_, lives_, arena_->starts.size())];
     ++lives_;
     tick_ = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "slipface/sim/reach.h"
+
 namespace slipface {
 namespace {
 
@@ -25,10 +27,12 @@ std::uint64_t WalkerRandom::bits() {
     return z ^ (z >> 31);
 }
 
-Walker::Walker(std::uint64_t seed, std::uint32_t number, std::uint32_t life, double dt)
+Walker::Walker(std::uint64_t seed, std::uint32_t number, std::uint32_t life, double dt,
+               const MovementSettings& settings)
     : random_(WalkerRandom(seed ^ WalkerRandom((std::uint64_t{number} << 32) | life).bits()).bits()),
-      ticks_a_second_(std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::lround(1.0 / dt)))) {
-    press_in_ = random_.below(4 * ticks_a_second_);
+      ticks_a_second_(std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::lround(1.0 / dt)))),
+      longest_pause_(jumps_in_air(settings) ? ticks_a_second_ : 4 * ticks_a_second_) {
+    press_in_ = random_.below(longest_pause_);
 }
 
 PlayerInput Walker::next() {
@@ -41,7 +45,7 @@ PlayerInput Walker::next() {
     if (held_for_ > 0) --held_for_;
     if (press_in_ == 0) {
         held_for_ = 1 + random_.below(ticks_a_second_ / 2 + 1);
-        press_in_ = held_for_ + 1 + random_.below(4 * ticks_a_second_);
+        press_in_ = held_for_ + 1 + random_.below(longest_pause_);
     }
     --press_in_;
     input_.buttons.set(Button::jump, held_for_ > 0);

@@ -19,18 +19,21 @@ class WalkerRandom {
     std::uint64_t state_;
 };
 
-// Changes its heading about once per second, jumps about every two seconds, and sometimes walks slowly.
+// Changes its heading about once per second, jumps about every two seconds, four times as often where jumps
+// start in the air, too, and sometimes walks slowly.
 class Walker {
   public:
-    Walker(std::uint64_t seed, std::uint32_t number, std::uint32_t life, double dt);
+    Walker(std::uint64_t seed, std::uint32_t number, std::uint32_t life, double dt,
+           const MovementSettings& settings);
     PlayerInput next();
 
   private:
     WalkerRandom random_;
     std::uint64_t ticks_a_second_;
-    std::uint64_t turn_in_ = 0;   // ticks to the next heading
-    std::uint64_t press_in_ = 0;  // ticks to the next jump
-    std::uint64_t held_for_ = 0;  // ticks that the jump stays pressed
+    std::uint64_t longest_pause_;  // ticks between two jumps
+    std::uint64_t turn_in_ = 0;    // ticks to the next heading
+    std::uint64_t press_in_ = 0;   // ticks to the next jump
+    std::uint64_t held_for_ = 0;   // ticks that the jump stays pressed
     PlayerInput input_;
 };
 

@@ -81,6 +81,10 @@ JumpArc fly(Walker walker, double dt, const PlayerInput& pressed, const PlayerIn
 
 }  // namespace
 
+bool jumps_in_air(const MovementSettings& settings) {
+    return settings.air_jump || settings.wall_jump;
+}
+
 Reach measure_reach(const MovementSettings& settings, double dt) {
     Reach reach;
     Walker runner(settings, dt, -0.5 * floor_length_m);

@@ -18,7 +18,7 @@ struct Reported {
     const char* word;
     bool idle_only = false;  // only while the stick is at rest
 };
-constexpr std::array<Reported, 30> reported{{{Decision::bounced, "bounced"},
+constexpr std::array<Reported, 32> reported{{{Decision::bounced, "bounced"},
                                              {Decision::bounce_off, "no bounce"},
                                              {Decision::bounce_too_slow, "no bounce"},
                                              {Decision::stuck, "stuck"},
@@ -47,7 +47,12 @@ constexpr std::array<Reported, 30> reported{{{Decision::bounced, "bounced"},
                                              {Decision::fell_at_terminal_speed, "slowed"},
                                              {Decision::energy_capped, "slowed"},
                                              {Decision::air_control_off, "not steered"},
-                                             {Decision::stepped_up, "stepped up"}}};
+                                             {Decision::stepped_up, "stepped up"},
+                                             {Decision::wall_slid, "slid down a wall"},
+                                             {Decision::wall_slide_not_pushed, "fell along a wall"}}};
+// What a jump starts with.
+constexpr std::initializer_list<Decision> jump_starts{Decision::jumped, Decision::jumped_off,
+                                                      Decision::air_jumped, Decision::wall_jumped};
 
 // Events of one word and face that are this close are one.
 constexpr double joined_s = 0.15;
@@ -145,7 +150,7 @@ class EventReader {
     void read_jump(const TickTrace& trace) {
         const PlayerState& after = trace.after.stepped;
         const bool pressed = trace.input.buttons.has(Button::jump) && !trace.before.jump_held;
-        const auto* jumped = decided(trace, {Decision::jumped, Decision::jumped_off});
+        const auto* jumped = decided(trace, jump_starts);
         if (jumped != nullptr) {
             rising_ = Rising{.from = trace.from.y(), .speed = jumped->value, .tick = trace.tick};
             add(trace, "jumped", jumped->face, [&](Words words) {
@@ -155,6 +160,8 @@ class EventReader {
             });
         } else if (pressed) {
             const auto* why = decided(trace, {Decision::coyote_over, Decision::coyote_off});
+            const auto* in_air = decided(
+                trace, {Decision::air_jumps_used, Decision::wall_jump_same, Decision::wall_jump_no_wall});
             const auto* buffer = decided(trace, {Decision::jump_remembered, Decision::jump_buffer_off});
             const auto* steep = decided(trace, {Decision::too_steep_to_stand, Decision::wall});
             add(trace, "no jump", no_id, [&](Words words) {
@@ -169,6 +176,7 @@ class EventReader {
                         .count(static_cast<double>(trace.tick - *left_ground_));
                     words.say(" ticks before");
                 }
+                if (in_air != nullptr) words.say(". ").decision(*in_air);
                 if (buffer != nullptr) words.say(". ").decision(*buffer);
             });
         } else if (trace.input.buttons.has(Button::jump) && after.grounded && !trace.before.grounded) {
@@ -365,7 +373,7 @@ std::vector<VelocityChange> velocity_changes(const TickTrace& trace, const Story
     };
     for (const TraceRecord& record : trace.records)
         if (const auto* decision = std::get_if<DecisionRecord>(&record))
-            jumped = jumped || decision->kind == Decision::jumped || decision->kind == Decision::jumped_off;
+            jumped = jumped || std::ranges::find(jump_starts, decision->kind) != jump_starts.end();
     for (std::size_t i = 0; i < trace.records.size(); ++i) {
         const auto* response = std::get_if<ResponseRecord>(&trace.records[i]);
         if (response == nullptr) continue;

@@ -60,7 +60,10 @@ void EventLog::add(std::size_t tick, const PlayerState& before, const PlayerInpu
     const PlayerState& after = result.stepped;
     if (after.hazard) log(tick, "hazard", after);
     if (after.crushed) log(tick, "crushed", after);
-    if (holds(before) && !holds(after) && input.buttons.has(Button::jump) && !before.jump_held) {
+    const bool jumped_in_air = after.air_jumps > before.air_jumps || after.wall_lock_s > before.wall_lock_s;
+    if (jumped_in_air) {
+        log(tick, "jump", before);
+    } else if (holds(before) && !holds(after) && input.buttons.has(Button::jump) && !before.jump_held) {
         log(tick, "jump", before);
     } else if (before.grounded && !after.grounded) {
         log(tick, "leave ground", before);
@@ -109,6 +112,10 @@ std::uint64_t state_hash(const PlayerState& state, std::uint64_t previous) {
         if (i >= first_numbers && number == 0.0) continue;
         if (i >= first_numbers) hasher.u64(i);
         hasher.f64(number);
+    }
+    for (std::size_t i = 0; i < PlayerState::counts.size(); ++i) {
+        const std::uint8_t count = state.*PlayerState::counts[i];
+        if (count > 0) hasher.u64((i + 1) * 256 + count);
     }
     if (state.carrier > Carrier::level) hasher.u64(static_cast<std::uint64_t>(state.carrier));
     return hasher.value();

@@ -184,12 +184,12 @@ TEST(LevelJson, UnknownKeysAreKeptWhereTheyStand) {
         "rules": [{"pattern": "*", "type": "ice", "note": 1}, {"pattern": "*", "type": "default", "note": 2}],
         "cameras": [{"name": "c", "eye": [0,0,0], "target": [1,0,0], "lens": "wide"}],
         "spawn": {"position": [1, 2, 3], "facing_hint": "door"},
-        "movement": {"gravity": 10, "wall_jump": true},
+        "movement": {"gravity": 10, "wall_run": true},
         "overrides": [{"type": "ice", "material": "gone", "artist": "me",
                        "faces": ["0123456789abcdef 500,0,0 0,1,0 1"]}]})";
     Result<LoadedLevel> loaded = load(json);
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
-    // studio, deep, two sounds, two notes, lens, facing_hint, wall_jump, artist; and one orphan.
+    // studio, deep, two sounds, two notes, lens, facing_hint, wall_run, artist; and one orphan.
     EXPECT_EQ(loaded->warnings.size(), 11u);
     EXPECT_EQ(loaded->warnings[0].location, "easy.slipface.json:/spawn/facing_hint");
 
@@ -209,7 +209,7 @@ TEST(LevelJson, UnknownKeysAreKeptWhereTheyStand) {
     EXPECT_THAT(saved, HasSubstr("\"note\": 2"));
     EXPECT_THAT(saved, HasSubstr("\"lens\": \"wide\""));
     EXPECT_THAT(saved, HasSubstr("\"facing_hint\": \"door\""));
-    EXPECT_THAT(saved, HasSubstr("\"wall_jump\": true"));
+    EXPECT_THAT(saved, HasSubstr("\"wall_run\": true"));
     EXPECT_THAT(saved, HasSubstr("\"artist\": \"me\""));
     EXPECT_LT(saved.find("\"studio\""), saved.find("\"deep\""));
 }

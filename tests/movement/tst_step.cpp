@@ -236,6 +236,8 @@ TEST(PlayerState, lists_every_member) {
         state.*member = fresh.*member;
     for (const auto member : PlayerState::numbers)
         state.*member = fresh.*member;
+    for (const auto member : PlayerState::counts)
+        state.*member = fresh.*member;
     EXPECT_NE(state, fresh);
     state.sector = fresh.sector;
     state.ground_face = fresh.ground_face;

@@ -63,6 +63,7 @@ TEST(StepUp, WhatIsSparedWouldHaveLedNoFurther) {
         Random random(seed + 100);
         for (int walker = 0; walker < 40; ++walker) {
             MovementSettings s = every_hack();
+            s.air_jump = s.wall_slide = s.wall_jump = false;  // in the air there are no steps
             s.walk_speed = random.between(1, 20);
             const double dt = 1.0 / (30 + 90 * random.below(4));
             PlayerState state = at({random.between(-10, 10), 0.95, random.between(-10, 10)});

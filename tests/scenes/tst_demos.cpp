@@ -238,6 +238,22 @@ TEST(Demos, JumpsAreForgiving) {
     EXPECT_LT(air.off.end().position.y(), 0.0);
 }
 
+// Feet: of the far ledge 0 m, of the ledge below -3.2 m, of the shaft's lower wall 4 m.
+TEST(Demos, AbilitiesLeadOn) {
+    const auto feet = [](const Pair& pair, const Trip& trip) {
+        return trip.end().position.y() - pair.demo.on.radii.y();
+    };
+    const Pair twice = pair_of("air-jump");
+    EXPECT_NEAR(feet(twice, twice.on), 0.0, 0.05);
+    EXPECT_NEAR(feet(twice, twice.off), -4.0, 0.05);
+    const Pair slide = pair_of("wall-slide");
+    EXPECT_NEAR(feet(slide, slide.on), -3.2, 0.05);
+    EXPECT_NEAR(feet(slide, slide.off), -6.0, 0.05);
+    const Pair shaft = pair_of("wall-jump");
+    EXPECT_NEAR(feet(shaft, shaft.on), 4.0, 0.05);
+    EXPECT_NEAR(feet(shaft, shaft.off), 0.0, 0.05);
+}
+
 TEST(Demos, PlatformsCarry) {
     const Pair raft = pair_of("moving-platforms");
     EXPECT_LT(raft.off.end().position.y(), -2.0);

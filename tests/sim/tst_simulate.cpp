@@ -290,6 +290,11 @@ TEST(StateHash, SeesPositionVelocityFlagsAndWhatWasBefore) {
         other.*number = 0.01;
         EXPECT_NE(hash, state_hash(other, 0));
     }
+    for (const auto count : PlayerState::counts) {
+        other = state;
+        other.*count = 1;
+        EXPECT_NE(hash, state_hash(other, 0));
+    }
     const auto differs = [&](auto change) {
         other = state;
         change(other);

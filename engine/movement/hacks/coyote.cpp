@@ -6,23 +6,19 @@
 
 namespace slipface {
 
-bool may_jump(const Mover& mover) {
+std::optional<Refusal> too_late_to_jump(const Mover& mover) {
     const PlayerState& state = mover.state;
-    if (state.grounded || state.climbing || state.stuck) return true;
-    const bool on = mover.settings.coyote;
-    const bool late = on && is_open(state.coyote_s, mover.dt);
-    decide(mover,
-           late ? Decision::coyote_jump
-           : on ? Decision::coyote_over
-                : Decision::coyote_off,
-           {.value = late ? state.coyote_s : 0.0});
-    return late;
+    if (is_held(state)) return std::nullopt;
+    if (!mover.settings.coyote) return Refusal{Decision::coyote_off};
+    if (!is_open(state.coyote_s, mover.dt)) return Refusal{Decision::coyote_over};
+    decide(mover, Decision::coyote_jump, {.value = state.coyote_s});
+    return std::nullopt;
 }
 
 double coyote_after(const Mover& mover) {
     const PlayerState& state = mover.state;
     if (!mover.settings.coyote || mover.jumped || mover.bounced) return 0.0;
-    if (mover.grounded || mover.climbing || mover.stuck || state.grounded) return mover.settings.coyote_time;
+    if (is_held(mover) || state.grounded) return mover.settings.coyote_time;
     return std::max(0.0, state.coyote_s - mover.dt);
 }
 

@@ -10,7 +10,7 @@ bool wants_jump(const Mover& mover) {
     const PlayerState& state = mover.state;
     if (mover.jump_pressed) return true;
     if (!mover.settings.jump_buffer || !is_open(state.jump_buffer_s, mover.dt)) return false;
-    const bool held = state.grounded || state.climbing || state.stuck;
+    const bool held = is_held(state) || (mover.settings.wall_jump && touches_wall(state));
     decide(mover, held ? Decision::jump_buffered : Decision::jump_remembered, {.value = state.jump_buffer_s},
            state.ground_face);
     return held;

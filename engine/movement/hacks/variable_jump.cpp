@@ -7,7 +7,7 @@ namespace slipface {
 void cut_jump(Mover& mover) {
     if (!mover.jumping) return;
     // Relative to the ground that was left.
-    const double rises = mover.velocity.y() - mover.state.air_frame.y();
+    const double rises = mover.velocity.y() - mover.air_frame.y();
     if (!(rises > 0.0)) {
         mover.jumping = false;
         return;

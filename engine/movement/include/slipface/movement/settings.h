@@ -45,6 +45,27 @@ inline constexpr auto leave_mode_choices = std::to_array<Choice>({
     {"all", "all of it, so that a jump is the same as on still ground, seen from the ground that was left"},
 });
 
+enum class AirJumpReset : int { ground, holds, walls };
+inline constexpr auto air_jump_reset_choices = std::to_array<Choice>({
+    {"ground", "only ground and a bounce give the air jumps back"},
+    {"holds", "ladders and sticky surfaces do, too"},
+    {"walls", "sliding down a wall and a jump off one do, too"},
+});
+
+enum class WallSlideForm : int { touching, pushing };
+inline constexpr auto wall_slide_form_choices = std::to_array<Choice>({
+    {"touching", "whatever the stick does, a wall that the player falls along slows it"},
+    {"pushing", "only while the stick points into the wall, within 60 degrees"},
+});
+
+enum class WallJumpWalls : int { another, any };
+inline constexpr auto wall_jump_walls_choices = std::to_array<Choice>({
+    {"another",
+     "not off a wall that faces as the one before, until something holds the player, so that one wall "
+     "alone cannot be climbed"},
+    {"any", "off the same wall again, too"},
+});
+
 // The defaults are what players of 3D platformers expect: the preset "platformer".
 struct MovementSettings {
     Vec3 radii{0.4, 0.9, 0.4};  // m, of the ellipsoid along X, Y and Z
@@ -92,6 +113,19 @@ struct MovementSettings {
     double jump_cut = 0.4;  // fraction of the upward speed that remains when the button is released
     bool air_control = true;
     bool keep_speed = true;
+    bool air_jump = false;
+    int air_jumps = 1;            // until something gives them back
+    double air_jump_speed = 8.0;  // m/s, upwards
+    AirJumpReset air_jump_reset = AirJumpReset::walls;
+    bool wall_slide = false;
+    double wall_slide_speed = 2.0;  // m/s, of the fall
+    WallSlideForm wall_slide_form = WallSlideForm::pushing;
+    bool wall_jump = false;
+    double wall_jump_away = 6.0;   // m/s, along the wall's horizontal normal
+    double wall_jump_up = 8.0;     // m/s
+    double wall_jump_reach = 0.1;  // m, from the body to the wall
+    double wall_jump_lock = 0.15;  // s, for which the stick does not steer
+    WallJumpWalls wall_jump_walls = WallJumpWalls::any;
     double sub_step = 0.0;  // s, the longest part of a step that is moved at once; 0: the whole step
 
     friend bool operator==(const MovementSettings&, const MovementSettings&) = default;

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 
-#include "slipface/movement/scene.h"
 #include "slipface/movement/buttons.h"
+#include "slipface/movement/scene.h"
 #include "slipface/movement/settings.h"
 #include "slipface/movement/trace.h"
 
@@ -49,13 +50,20 @@ struct PlayerState {
     // it: the stick steers relative to it. 0 while something holds the player.
     Vec3 air_frame = Vec3::Zero();
     Carrier carrier = Carrier::unknown;
+    std::uint8_t air_jumps = 0;  // made since something gave them back
     double coyote_s = 0.0;       // for how much longer a jump starts although the player left the ground
     double jump_buffer_s = 0.0;  // for how much longer a press of jump is remembered
+    // The horizontal direction, unit, out of the wall last jumped off since something held the player; 0:
+    // none.
+    double wall_x = 0.0, wall_z = 0.0;
+    double wall_lock_s = 0.0;  // for how much longer the stick does not steer after a wall jump
 
     // Every member but the sector, the ids and the carrier: hashes, files and checks of a state go through
     // these lists. What a hack adds comes last.
-    static constexpr std::array numbers{&PlayerState::ground_rise, &PlayerState::coyote_s,
-                                        &PlayerState::jump_buffer_s};
+    static constexpr std::array numbers{&PlayerState::ground_rise,   &PlayerState::coyote_s,
+                                        &PlayerState::jump_buffer_s, &PlayerState::wall_x,
+                                        &PlayerState::wall_z,        &PlayerState::wall_lock_s};
+    static constexpr std::array counts{&PlayerState::air_jumps};
     static constexpr std::array flags{&PlayerState::grounded,  &PlayerState::climbing, &PlayerState::stuck,
                                       &PlayerState::jump_held, &PlayerState::hazard,   &PlayerState::jumping,
                                       &PlayerState::trapped,   &PlayerState::crushed};
@@ -64,6 +72,8 @@ struct PlayerState {
 
     friend bool operator==(const PlayerState&, const PlayerState&) = default;
 };
+// Searches and rollbacks store many of them. It owns nothing, so that it can be copied as bytes.
+static_assert(sizeof(PlayerState) <= 200 && std::is_trivially_destructible_v<PlayerState>);
 
 // The player's centre in the scene's coordinates, for drawing.
 Vec3 position_in_scene(const MovementScene& scene, const PlayerState& state);

@@ -25,6 +25,10 @@ struct Reach {
     double coyote_m = 0.0;    // metres past the edge at the last of these ticks
 };
 
+// Whether a press of jump may do more in the air than be remembered: what looks for ways presses it there,
+// too.
+bool jumps_in_air(const MovementSettings& settings);
+
 Reach measure_reach(const MovementSettings& settings, double dt);
 
 }  // namespace slipface
