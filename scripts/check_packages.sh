@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_packages.sh [SUITE]: builds the Debian packages of the current commit in a Debian (bookworm) that has nothing, asks lintian, installs
-# them in another one, and tries there what they are for: the program draws a sample level off-screen, the README's game
+# them in another one, and tries there what they are for: the program draws a sample level off-screen, docs/engine.md's game
 # builds against libslipface-dev with CMake and with pkg-config, the example in C runs, and so do the tests of the Python
 # module. The packages are left in out/packages. Needs what scripts/check_bare.sh needs.
 set -euo pipefail
@@ -42,7 +42,7 @@ apt="DEBIAN_FRONTEND=noninteractive apt-get -q -y"
         bash -c ". /usr/share/bash-completion/completions/slipface; COMP_WORDS=(slipface sim); COMP_CWORD=1; _slipface
             test \"\${COMPREPLY[*]}\" = simulate"'
 
-    say "Building the README's game"
+    say "Building docs/engine.md's game"
     watch_bare "Installing libslipface-dev" root /debs \
         "$apt install ./libslipface-dev_*.deb ./libslipface1_*.deb g++ cmake make pkg-config"
     watch_bare "The game" stranger /game 'level=/usr/share/slipface/levels/easy.obj &&

@@ -14,6 +14,7 @@ test_packages=(libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libr
     pybind11-dev python3-dev python3-numpy)
 # What the checks of .ci/run need besides.
 check_packages=(clang clang-format clang-tidy libclang-rt-dev mmdebstrap python3-yaml abigail-tools appstream xvfb xdotool)
+command -v node > /dev/null || check_packages+=(nodejs) # asks the site's search
 
 # What the editor as a page needs (scripts/build_web.sh), and its test in a browser (scripts/check_web.sh).
 web_packages=(emscripten brotli libfast-float-dev)

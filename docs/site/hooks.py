@@ -9,6 +9,10 @@ Row = collections.namedtuple("Row", "name label menu anchor cells")
 tables = {"docs/settings.md": [], "docs/commands.md": []}
 names = {}   # what stands as code -> URL from the site's top
 labels = {}  # what stands in italics -> the same
+# How much a section counts in a search, by the beginning of its address: pages for users before records and headers.
+weights = [("docs/symptoms.html", 1.3), ("docs/tutorials", 1.2), ("index.html", 1.1), ("CHANGELOG", 0.4), ("docs/checks", 0.4),
+           ("docs/performance-tables", 0.5), ("docs/mutants", 0.5), ("docs/decisions", 0.7), ("NOTICES", 0.4),
+           ("slipface/", 0.35), ("", 1.0)]
 
 
 def read_rows(path):
@@ -117,6 +121,8 @@ def on_page_content(content, page, config, files):
     content = re.sub(r"<code>[^<]*</code>", lambda m: m[0].replace("\\|", "|"), content)
     # Several numbers in a cell stand in columns of their own.
     content = re.sub(r'<td style="text-align: right;">(?=[^<]*\S  )', '<td class="columns" style="text-align: right;">', content)
+    if page.file.src_path == "docs/symptoms.md":
+        content = f'<div class="symptoms">{content}</div>'
     # A page named in running text: docs/sweep.md.
     return re.sub(r"(?<![\w/\"`>])docs/([\w-]+)\.md(?![\w\"])",
                   lambda m: f'<a href="{to(f"docs/{m[1]}.html")}">{m[0]}</a>', content)
@@ -146,30 +152,51 @@ def give_anchors(content, rows):
     return re.sub("<tbody>.*?</tbody>", body, content, flags=re.S)
 
 
+def plain(text):
+    """The text of a piece of HTML."""
+    return html.unescape(re.sub(r"<[^>]*>", " ", text))
+
+
 def on_post_build(config):
-    """Search finds each setting and command by itself, and shows these first and headers last."""
+    """The index of docs/site/search.js: each section, setting and command once, as plain text."""
     index = pathlib.Path(config["site_dir"]) / "search" / "search_index.json"
     data = json.loads(index.read_text())
+    as_html = type(config["plugins"]["search"]).__module__.startswith("material")  # 9 and later keep the marks of the text
+    clean = plain if as_html else html.unescape
+    pages, sections = {}, []
+    for entry in data["docs"]:
+        page, _, anchor = entry["location"].partition("#")
+        title, text = (" ".join(clean(entry[part]).replace("¶", " ").split()) for part in ("title", "text"))
+        text = re.sub(r" (?=[,.:;!?])", "", text)
+        if not anchor:
+            pages[page] = {"location": page, "title": title, "text": text, "first": True}
+            sections.append(pages[page])
+        elif pages[page].pop("first", False):  # the text below the page's own heading, instead of all of the page's
+            pages[page] |= {"title": title, "text": text, "page": pages[page]["title"]}
+        else:
+            sections.append({"location": entry["location"], "title": title, "page": pages[page].get("page", pages[page]["title"]), "text": text})
+    for section in sections:
+        section.pop("first", None)
+        section["weight"] = next(weight for start, weight in weights if section["location"].startswith(start))
+        if asked := re.match(r"Also asked: (.*?\.) ", section["text"]):
+            section["asked"], section["text"] = asked[1], section["text"][asked.end():]
+    # A table of settings or commands is found by its rows alone.
+    of_tables = {page.replace(".md", ".html") for page in tables}
+    sections = [section for section in sections if section["location"].split("#")[0] not in of_tables or section["location"] in of_tables]
+    settings = {row.name for row in tables["docs/settings.md"]}
     for page, rows in tables.items():
         for row in rows:
-            text = (row.cells.get("Meaning") or row.cells["What it does"]).replace("\\", "")
+            if row.name.removeprefix("movement.") in settings and page == "docs/commands.md":
+                continue  # the setting says the same
+            text = plain(row.cells.get("Meaning") or row.cells["What it does"]).replace("\\", "")
             if row.cells.get("Shortcut"):
                 text += f" Key: {row.cells['Shortcut']}."
-            data["docs"].append({"location": page.replace(".md", ".html#") + row.anchor,
-                                 "title": f"{row.label} ({row.name})", "text": html.escape(text), "row": True})
-    index.write_text(json.dumps(data))
+            sections.append({"location": page.replace(".md", ".html#") + row.anchor, "title": f"{row.label} ({row.name})", "names": [row.name.lower(), row.label.lower()],
+                             "page": pages[page.replace(".md", ".html")]["title"], "text": text, "weight": 0.9})
+    data["docs"] = sections
+    index.write_text(json.dumps(data, ensure_ascii=False))
     # The same for pages that are opened as files, where a page may load a script but not fetch JSON.
     index.with_name("search_index.js").write_text(f"take_search_index({json.dumps(data)})\n")
-    # What MkDocs cannot set: the order of results, that a typed step_up is two words, and that "why" is one.
-    patch = r"""
-lunr.QueryLexer.termSeparator = /[\s\-.\/_]+/;
-(() => {
-    const { add } = lunr.Builder.prototype;
-    lunr.Builder.prototype.add = function (doc) {
-        this.pipeline.remove(lunr.stopWordFilter);
-        add.call(this, doc, { boost: doc.location.startsWith("slipface/") ? 0.4 : doc.row ? 2 : 1 });
-    };
-})();
-"""
+    search = (pathlib.Path(config["config_file_path"]).parent / "search.js").read_text()
     for worker in (pathlib.Path(config["site_dir"]) / "assets" / "javascripts" / "workers").glob("search.*.js"):
-        worker.write_text(worker.read_text() + patch)
+        worker.write_text(search)

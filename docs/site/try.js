@@ -4,6 +4,7 @@
   // A picture's address, and the link (docs/scripting.md, "Links") that shows what is on it; $1 is the group's text.
   const views = [
     [/\/hacks\/([\w-]+)-on\.png$/, "demo=$1&only=view"],
+    [/\/hacks\/([\w-]+)-off\.png$/, "demo=$1&only=view"], // where it stands alone
     [/\/reach\/([\w-]+)\.png$/, "level=$1&camera=iso&reach=15&only=reach"],
     [/\/images\/probe\.png$/, "demo=step-up&camera=5.5,3.2,4.2,0.3,0.7,-0.6&probe=1.2,1.4,2.2,0.2,0.9,-2.2&only=probe"],
   ];
@@ -32,7 +33,7 @@
     const found = [];
     for (const image of document.images)
       for (const [picture, link] of views)
-        if (picture.test(image.src)) found.push([image, link.replace("$1", image.src.match(picture)[1])]);
+        if (picture.test(image.src) && !(image.closest("table") && /-off\.png$/.test(image.src))) found.push([image, link.replace("$1", image.src.match(picture)[1])]);
     if (found.length === 0 || location.protocol === "file:" || !(await fetch(web, { method: "HEAD" })).ok) return;
     for (const [image, link] of found) add_button(image, link);
   });

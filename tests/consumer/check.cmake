@@ -1,17 +1,17 @@
-# Installs the engine into a scratch folder, builds the README's game against it with find_package, and runs it.
-# With -DPROGRAM= also the README's reader of flat files, on one that the program exports.
+# Installs the engine into a scratch folder, builds the game of docs/engine.md against it with find_package, and runs it.
+# With -DPROGRAM= also that page's reader of flat files, on one that the program exports.
 foreach(name SOURCE BUILD SCRATCH LEVEL)
     if(NOT DEFINED ${name})
         message(FATAL_ERROR "check.cmake needs -D${name}=")
     endif()
 endforeach()
 
-file(READ "${SOURCE}/README.md" readme)
+file(READ "${SOURCE}/docs/engine.md" page)
 foreach(example game flat)
     file(READ "${SOURCE}/tests/consumer/${example}.cpp" text)
-    string(FIND "${readme}" "${text}" found)
+    string(FIND "${page}" "${text}" found)
     if(found EQUAL -1)
-        message(FATAL_ERROR "README.md does not show tests/consumer/${example}.cpp word for word")
+        message(FATAL_ERROR "docs/engine.md does not show tests/consumer/${example}.cpp word for word")
     endif()
 endforeach()
 

@@ -1,0 +1,306 @@
+// The search of the site, in place of its theme's: plain English questions, also by words that the pages do not use.
+//
+// In a page the theme starts this file as a worker, or docs/site/offline_search.js in a frame, and asks it by messages: SETUP with
+// the index that docs/site/hooks.py wrote, then QUERY for each text that is typed. scripts/search_test.mjs loads it in node instead.
+//
+// A section is found by the stems of its words. Words of one line of `synonyms` count for each other, a little less than themselves.
+// Titles count more than text, sections that have all the words more than sections that have some, and rare words more than common
+// ones (BM25F: Robertson, Zaragoza, "The Probabilistic Relevance Framework: BM25 and Beyond", 2009, section 3.6).
+(() => {
+  // Words that say nothing about what is asked for. "why" is a panel of the editor and stays.
+  const stop = new Set(`a about after all also am an and any are as at be because been but by can cannot could did do does doing done for
+    from get gets getting got had has have he her him his how i if im in into is isn it its itself just ll make me my no not of on or
+    our out over re s she should so some t than that the their them then there these they this those to too us ve very want was
+    way we were what when where which while who will with without won would you your character player players game engine
+    keep keeps always sometimes every even only really properly correctly weird bug issue problem problems fix fixing use using used add implement
+    support feature controller controllers everything anything something behave behaves behavior behaviour kind go goes going went able
+    impossible possible another again still longer anymore while during instead list show tell help thing things lot very
+    let lets make makes making want wants need needs anyone someone please
+    work works working don doesn didn`.split(/\s+/));
+
+  // What English does not form by a rule.
+  const irregular = new Map(`stuck stick, fell fall, fallen fall, slid slide, ran run, stood stand, went go, held hold, left leave, lost lose,
+    flew fly, slept sleep, threw throw, thrown throw, built build, feet foot, vertices vertex, indices index, axes axis, sped speed,
+    rose rise, risen rise, sank sink, sunk sink, froze freeze, frozen freeze, wrote write, written write, faster fast, slower slow, higher high, lower low,
+    wider wide, larger large, bigger large, big large, smaller small, taller tall, steeper steep, windows windows, better good, best good`
+    .split(",").map((pair) => pair.trim().split(" ")));
+
+  // Words for one thing, one thing a line. A word may stand in several lines.
+  const synonyms = `
+    stick snag catch stuck hang jam trap block wedge stop halt hitch
+    fall clip tunnel drop sink phase
+    slope ramp incline hill steep slant
+    stair stairs step staircase kerb curb ledge
+    seam crack edge internal ghost tile triangle gap join
+    ground floor grounded land isgrounded onground
+    platform lift elevator mover raft ferry train cart
+    conveyor belt treadmill
+    csharp c# unity
+    turntable rotate spin carousel revolve
+    jitter shake vibrate stutter twitch tremble jerk wobble flicker glitch bob bumpy
+    update approve accept refresh
+    contribute contributing pull request patch change
+    security vulnerability exploit
+    regression difference compare
+    hill cliff mountain
+    edge rim ledge border cliff
+    bumpy bump bounce
+    door gate passage corridor
+    tiny small little low
+    escape out leave exit
+    fast quick run sprint
+    slide glide slip drift creep skid
+    ice icy slippery slick frictionless
+    bounce trampoline restitution rebound pogo hop
+    ladder climb
+    sticky adhesive cling
+    hazard lava kill death damage spike die respawn
+    trigger volume zone overlap event
+    collide collision hit contact touch
+    wall cliff obstacle barrier
+    ceiling roof overhead head
+    corner wedge crevice acute
+    deterministic determinism rollback replay repeat bitwise desync netcode lockstep network multiplayer online
+    framerate fps rate tick timestep hz delta
+    speed velocity fast slow momentum
+    gravity weight floaty float heavy
+    terrain heightfield heightmap landscape
+    origin far precision float large
+    install download setup apt package start begin
+    tutorial start begin introduction guide lesson walkthrough learn
+    unity unreal godot gdextension plugin
+    script automate headless batch
+    ci continuous github pipeline action automation nightly
+    image screenshot picture golden snapshot
+    save store autosave
+    undo history redo
+    paint annotate assign brush apply fill
+    uphill up ascend upward climb
+    downhill down descend downward downstairs
+    slow decrease reduce lose brake
+    goal item collectible coin pickup
+    collider collision hitbox
+    material texture name
+    type surface physics
+    key shortcut hotkey binding keybinding rebind remap
+    obj gltf glb fbx mesh model geometry
+    export write convert
+    import open load read
+    blender maya modelling modeller
+    spawn start respawn checkpoint
+    crouch duck crawl height radius
+    capsule ellipsoid collider body hitbox size radius
+    skin margin offset width tolerance
+    camera view bookmark
+    grid snap
+    preset template profile
+    setting option parameter property tweak tune
+    record recording tape replay demo input
+    ghost compare
+    reach reachable unreachable
+    one-sided oneway backface
+    crowd npc npcs enemy characters
+    push shove
+    crush squash squeeze
+    coyote late forgive grace
+    buffer early queue
+    jump leap
+    variable short tap hold
+    air aerial midair airborne
+    browser web wasm webassembly html
+    windows exe mingw
+    python numpy
+    c ffi binding bindings abi
+    license licence mit free commercial copyright
+    slow performance lag speed fast
+    cluster slurm machines kubernetes
+    navmesh recast navigation pathfinding links
+    light lighting lightmap bake
+    why explain reason cause
+    autosave crash recover recovery lost
+    inside embedded overlap penetrate depenetrate unstick
+    teleport warp
+    diagonal sideways deflect
+    flip inverted normal winding
+    hole gap leak
+    quake bsp shader
+    gamepad controller joystick`;
+
+  function stem(word) {
+    if (irregular.has(word)) word = irregular.get(word);
+    if (word === "windows") return word; // the system's name
+    if (word.length < 4) return word;
+    if (word.endsWith("ies")) word = word.slice(0, -3) + "y";
+    else if (/[^suio]s$/.test(word)) word = word.slice(0, -1);
+    else if (/(ss|sh|ch|x)es$/.test(word)) word = word.slice(0, -2);
+    else if (/[^s]ies$|[aeo]es$/.test(word)) word = word.slice(0, -1);
+    const tail = /^(.*[aeiouy].*?)(ing|ed|ness|ly)$/.exec(word);
+    if (tail && tail[1].length > 2) {
+      word = tail[1];
+      if (/([bdgmnprt])\1$/.test(word)) word = word.slice(0, -1);
+    }
+    if (word.length > 6) word = word.replace(/([st])ion$/, "$1");
+    if (word.length > 5 && /[^aeiou]y$/.test(word)) word = word.slice(0, -1);
+    return word.length > 3 ? word.replace(/e$/, "") : word;
+  }
+
+  // [stem, where the word begins, where it ends] of each word. A name such as step_up is its words, and StepUp, too.
+  function words_of(text) {
+    const found = [];
+    for (const { 0: word, index } of text.matchAll(/[Ff]rame[ -]rates?|[cC](?:\+\+|#)|[\p{Lu}\d]?[\p{Ll}\d]+|[\p{Lu}\d]+/gu))
+      found.push([stem(word.toLowerCase().replace(/[ -]/, "")), index, index + word.length]);
+    return found;
+  }
+
+  const small = new Set([...stop].map(stem));
+  const related = new Map();
+  for (const line of synonyms.trim().split("\n")) {
+    const stems = line.trim().split(/\s+/).map((word) => stem(word.replace("-", "")));
+    for (const each of stems) {
+      if (!related.has(each)) related.set(each, new Set());
+      for (const other of stems) if (other !== each) related.get(each).add(other);
+    }
+  }
+
+  // How much a word counts in each field, how much another word of its line counts, and how much the beginning of a word does.
+  const fields = { title: 5, asked: 3, page: 0.8, text: 1 };
+  const of_synonym = 0.3, of_beginning = 0.6;
+
+  const of_wording = 1;
+
+  // How alike the typed words and a wording are, 0 to 1; a word of the same line is half as good as the word itself.
+  function likeness(typed, wording) {
+    let common = 0;
+    for (const [term, others] of typed)
+      common += wording.has(term) ? 1 : [...others].some((other) => wording.has(other)) ? 0.5 : 0;
+    return wording.size ? 2 * common / (typed.length + wording.size) : 0;
+  }
+
+  class Search {
+    constructor(sections) {
+      this.sections = sections;
+      this.postings = new Map(); // stem -> Map of section -> weighted count
+      const lengths = {};
+      const counted = sections.map((section) => Object.keys(fields).map((field) => [field, words_of(section[field] || "")]));
+      for (const field of Object.keys(fields)) {
+        const of_all = counted.map((each) => each.find(([name]) => name === field)[1].length).filter((length) => length > 0);
+        lengths[field] = of_all.reduce((sum, length) => sum + length, 0) / Math.max(1, of_all.length);
+      }
+      counted.forEach((each, index) => {
+        for (const [field, words] of each) {
+          const long = field === "page" ? 1 : 0.5 + 0.5 * words.length / lengths[field];
+          for (const [word] of words) {
+            if (!this.postings.has(word)) this.postings.set(word, new Map());
+            const posting = this.postings.get(word);
+            posting.set(index, (posting.get(index) || 0) + fields[field] / long);
+          }
+        }
+      });
+      // Of each section the words of its title, and of each wording of its question.
+      this.wordings = sections.map(({ title, asked }) => [title.replace(/ \([\w.]+\)$/, ""), ...(asked || "").split(";")].map((wording) =>
+        new Set(words_of(wording).map(([word]) => word).filter((word) => !small.has(word)))));
+      this.vocabulary = [...this.postings.keys()].sort();
+    }
+
+    rarity(stem) {
+      const count = this.postings.has(stem) ? this.postings.get(stem).size : 0;
+      return Math.log(1 + (this.sections.length - count + 0.5) / (count + 0.5));
+    }
+
+    // Stems that a typed word stands for, with how much each counts.
+    meanings(word, last) {
+      const found = new Map([[word, 1]]);
+      for (const other of related.get(word) || []) found.set(other, of_synonym);
+      if (last && word.length > 1)
+        for (const other of this.vocabulary)
+          if (other.startsWith(word) && !found.has(other)) found.set(other, of_beginning * word.length / other.length);
+      return found;
+    }
+
+    // Sections, best first: [{ section, score, stems }].
+    find(query) {
+      const whole = query.trim().toLowerCase();
+      let typed = words_of(query.replace(/['’]/g, ""));
+      const meant = typed.filter(([, from, to]) => !stop.has(query.replace(/['’]/g, "").slice(from, to).toLowerCase()));
+      if (meant.length > 0) typed = meant;
+      const terms = [...new Set(typed.map(([word]) => word))];
+      if (terms.length === 0) return [];
+      const of_words = terms.map((term) => [term, related.get(term) || new Set()]);
+      const open = /[\p{L}\d]$/u.test(query);
+      const scores = new Map(); // section -> [score of each term]
+      terms.forEach((term, at) => {
+        const meanings = this.meanings(term, open && at === terms.length - 1);
+        // A word is as rare as the commonest of what it may stand for, at most; so a rare synonym gains nothing.
+        const rarity = this.postings.has(term) ? this.rarity(term) : Math.max(1, ...[...meanings.keys()].filter((each) => this.postings.has(each))
+          .map((each) => this.rarity(each)).sort((a, b) => a - b).slice(0, 1));
+        for (const [stem, weight] of meanings)
+          for (const [index, count] of this.postings.get(stem) || []) {
+            if (!scores.has(index)) scores.set(index, new Array(terms.length).fill(0));
+            const of_terms = scores.get(index);
+            of_terms[at] = Math.max(of_terms[at], weight * rarity * count / (count + 1.5));
+          }
+      });
+      const found = [];
+      for (const [index, of_terms] of scores) {
+        const section = this.sections[index];
+        const sum = of_terms.reduce((a, b) => a + b, 0);
+        const covered = of_terms.filter((score) => score > 0).length / terms.length;
+        const asked = Math.max(...this.wordings[index].map((words) => likeness(of_words, words)));
+        found.push({ section, index, score: sum * (0.3 + 0.7 * covered * covered) * (1 + of_wording * asked * asked) * (section.weight || 1)
+          * (section.names && section.names.includes(whole) || whole.length > 3 && section.title.toLowerCase().includes(whole) ? 2.5 : 1) });
+      }
+      found.sort((a, b) => b.score - a.score || a.index - b.index);
+      const stems = new Set(terms.flatMap((term, at) => [...this.meanings(term, open && at === terms.length - 1).keys()]));
+      return found.map((each) => ({ ...each, stems, terms }));
+    }
+  }
+
+  const escape = (text) => text.replace(/[&<>"]/g, (sign) => `&${{ "&": "amp", "<": "lt", ">": "gt", '"': "quot" }[sign]};`);
+
+  // At most `room` signs of the text, around the place with the most of the words, as HTML with these marked.
+  function excerpt(text, stems, room) {
+    const marks = words_of(text).filter(([stem]) => stems.has(stem));
+    let from = 0, best = 0;
+    for (const [, begin] of marks) {
+      const kinds = new Set(marks.filter(([, a, b]) => a >= begin && b < begin + 0.6 * room).map(([stem]) => stem)).size;
+      if (kinds > best) [best, from] = [kinds, begin];
+    }
+    from = from < 0.4 * room ? 0 : text.lastIndexOf(". ", from) + 2 > from - 0.4 * room ? text.lastIndexOf(". ", from) + 2 : text.lastIndexOf(" ", from - 20) + 1;
+    let html = from > 0 ? "… " : "", at = from;
+    for (const [, begin, end] of marks) {
+      if (begin < at) continue;
+      const next = `${escape(text.slice(at, begin))}<mark data-md-highlight>${escape(text.slice(begin, end))}</mark>`;
+      if (html.length + next.length > room) break;
+      html += next;
+      at = end;
+    }
+    let rest = escape(text.slice(at, at + room));
+    if (html.length + rest.length > room || at + room < text.length)
+      rest = rest.slice(0, Math.max(0, room - html.length)).replace(/&[^;]*$/, "").replace(/\s+\S*$/, "") + " …";
+    return html + rest;
+  }
+
+  // What the theme shows: one entry per section, with its page.
+  function answer(search, query) {
+    const items = search.find(query).slice(0, 40).map(({ section, score, stems, terms }) => {
+      const title = section.page && section.page !== section.title ? `${section.title} – ${section.page}` : section.title;
+      return [{ location: section.location, title: excerpt(title, stems, 300), text: excerpt(section.text, stems, 300), score,
+                terms: Object.fromEntries(terms.map((term) => [term, true])) }];
+    });
+    return { items };
+  }
+
+  if (typeof module !== "undefined") {
+    module.exports = { Search, stem, answer };
+    return;
+  }
+  let search;
+  addEventListener("message", ({ data: { type, data } }) => {
+    if (type === 0) {
+      search = new Search(data.docs);
+      postMessage({ type: 1 });
+    } else if (type === 2) {
+      postMessage({ type: 3, data: search ? answer(search, typeof data === "string" ? data : "") : { items: [] } });
+    }
+  });
+})();
