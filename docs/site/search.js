@@ -280,13 +280,20 @@
     return html + rest;
   }
 
-  // What the theme shows: one entry per section, with its page.
+  // What the theme shows: groups of a page and its sections, in the order of the sections; hits of one page that follow each other
+  // share a group. The theme folds what has a smaller score than the first of its group away, so all of a group have the same.
   function answer(search, query) {
-    const items = search.find(query).slice(0, 40).map(({ section, score, stems, terms }) => {
-      const title = section.page && section.page !== section.title ? `${section.title} – ${section.page}` : section.title;
-      return [{ location: section.location, title: excerpt(title, stems, 300), text: excerpt(section.text, stems, 300), score,
-                terms: Object.fromEntries(terms.map((term) => [term, true])) }];
-    });
+    const items = [];
+    for (const { section, stems, terms } of search.find(query).slice(0, 30)) {
+      const page = section.location.split("#")[0];
+      const shown = ({ location, title, text }) => ({ location, title: excerpt(title, stems, 300), text: excerpt(text, stems, 300), score: 1,
+                                                      terms: Object.fromEntries(terms.map((term) => [term, true])) });
+      if (items.length === 0 || items[items.length - 1][0].location !== page) {
+        const top = search.sections.find(({ location }) => location === page);
+        items.push([shown(top === section ? section : { location: page, title: section.page || page, text: "" })]);
+      }
+      if (section.location !== page) items[items.length - 1].push(shown(section));
+    }
     return { items };
   }
 
