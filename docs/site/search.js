@@ -13,7 +13,7 @@
     our out over re s she should so some t than that the their them then there these they this those to too us ve very want was
     way we were what when where which while who will with without won would you your character player players game engine
     keep keeps always sometimes every even only really properly correctly weird bug issue problem problems fix fixing use using used add implement
-    support feature controller controllers everything anything something behave behaves behavior behaviour kind go goes going went able
+    support feature into onto upon toward towards both controller controllers everything anything something behave behaves behavior behaviour kind go goes going went able
     impossible possible another again still longer anymore while during instead list show tell help thing things lot very
     let lets make makes making want wants need needs anyone someone please
     work works working don doesn didn`.split(/\s+/));
