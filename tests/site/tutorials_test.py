@@ -27,7 +27,7 @@ def blocks_of(page):
 
 
 def run(script, folder, environment):
-    done = subprocess.run(["bash", "-c", script], cwd=folder, env=environment, text=True, timeout=300,
+    done = subprocess.run(["bash", "-c", script], cwd=folder, env=environment, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     return done.returncode, done.stdout
 
