@@ -51,7 +51,7 @@ int main(void) {
     wall.t = 2.0;
     for (tick = 0; tick < 240; ++tick) {
         /* Two seconds up to the wall, with a jump on the way, then nothing. The lift goes up at x = 5. */
-        const slipface_input input = {0.0, tick < 120 ? -1.0 : 0.0, tick > 30 && tick < 40};
+        const slipface_input input = {.wish_z = tick < 120 ? -1.0 : 0.0, .jump = tick > 30 && tick < 40};
         const slipface_vec3 lift_at = {5.0, 0.01 * tick, 0.0};
         check(slipface_world_move_platform(world, lift, lift_at, NULL, dt, &error), &error);
         check(slipface_step(world, settings, &player, &input, dt, note_wall, &wall, &player, &error), &error);
@@ -72,7 +72,7 @@ int main(void) {
         }
     }
     for (; tick < 300; ++tick) {
-        const slipface_input rest = {0.0, 0.0, 0};
+        const slipface_input rest = {0};
         const slipface_vec3 lift_at = {5.0, 0.01 * tick, 0.0};
         check(slipface_world_move_platform(world, lift, lift_at, NULL, dt, &error), &error);
         check(slipface_step(world, settings, &player, &rest, dt, NULL, NULL, &player, &error), &error);

@@ -471,7 +471,7 @@ TEST(C, ThreadsAreToldWhenAWorldIsInUse) {
                     tell(started = slipface_player_at(world, {3, 4, 3}, &player, nullptr));
                 while (started == SLIPFACE_IN_USE);
                 if (started != SLIPFACE_OK) return;
-                const slipface_input input{1, 0, 0};
+                const slipface_input input{1, 0, 0, 0};
                 for (int i = 0; i < 300; ++i)
                     tell(slipface_step(world, settings, &player, &input, 0.01, nullptr, nullptr, &player,
                                        nullptr));
