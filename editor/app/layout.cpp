@@ -123,12 +123,19 @@ void tabs(Editor& editor, Docks docks, PanelId front) {
     ImGui::Dummy({1, 2 * scale});
 }
 
+// Without a level, the review is the only panel that has something to show.
+std::optional<PanelId> front_panel(const Editor& editor, Dock dock) {
+    if (editor.document) return editor.layout.front_of(dock);
+    return editor.review && editor.layout.dock(PanelId::review) == dock ? std::optional(PanelId::review)
+                                                                        : std::nullopt;
+}
+
 // The panels of one dock, or of two that share their space, as tabs with the open one below.
 void dock_panels(Parts& parts, Docks docks, Dock open) {
     Editor& editor = parts.editor;
-    const std::optional<PanelId> front = editor.layout.front_of(open);
+    const std::optional<PanelId> front = front_panel(editor, open);
     if (!front) return;
-    tabs(editor, docks, *front);
+    if (editor.document) tabs(editor, docks, *front);
     // The rows scroll, the tabs stay.
     ImGui::BeginChild(panel_info(*front).name, {0, 0}, false, ImGuiWindowFlags_NoSavedSettings);
     draw_panel(*front, editor, parts.frame);
@@ -151,7 +158,7 @@ void rail(Editor& editor, const char* name, const Region& region, Docks docks) {
 }
 
 bool occupied(const Editor& editor, Dock dock) {
-    return editor.document && editor.layout.front_of(dock).has_value();
+    return front_panel(editor, dock).has_value();
 }
 
 // The left column: one dock over another, either alone, or both in one.

@@ -239,6 +239,15 @@ TEST_F(WindowTest, ReviewNamesAMenuThatThereIs) {
     ASSERT_EQ(run("menu \"View/Snapshots/Review snapshots\""), "");
 }
 
+// A check knows levels, an editor that was started for its report has none open.
+TEST_F(WindowTest, AReviewNeedsNoLevel) {
+    host = std::move(OffscreenHost::make({})).value();
+    ASSERT_EQ(run("review " SLIPFACE_SOURCE_DIR "/assets/review/report.json\nwait 2\nexpect widget "
+                  "\"Review/Approve\"\nclick \"Review/Skip\"\nexpect status \"*skipped\""),
+              "");
+    ASSERT_EQ(run("command review.close\nwait 1\nexpect no_widget \"Review/Approve\""), "");
+}
+
 TEST_F(WindowTest, EscapeClosesTheWindowOfKeysAfterADialogToo) {
     ASSERT_EQ(
         run("key F1\nexpect widget \"Shortcuts/Reset all\"\nkey Escape\nexpect no_widget \"Shortcuts/Reset "
