@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "panels/panel_memory.h"
 #include "widgets/imgui_compat.h"
 
 namespace slipface {
@@ -17,6 +18,8 @@ Result<std::unique_ptr<OffscreenHost>> OffscreenHost::make(const OffscreenOption
         return Error{"picture", "the scale must be 0.5..4"};
     Result<std::unique_ptr<OffscreenContext>> context = make_offscreen_context();
     if (!context) return context.error();
+    forget_renaming();
+    forget_plots();
     std::unique_ptr<OffscreenHost> host(new OffscreenHost);
     host->context_ = std::move(context).value();
     host->width_ = options.width;

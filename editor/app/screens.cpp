@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <system_error>
 
 #include "app/script.h"
-#include "goldens/screen.h"
 #include "slipface/base/files.h"
+#include "slipface/base/hash.h"
 #include "slipface/base/text.h"
 #include "slipface/level/find_start.h"
 #include "slipface/render/gl_graphics.h"
@@ -72,12 +73,62 @@ Result<ScreenHeader> read_header(std::string_view text, const std::string& locat
     return header;
 }
 
-// The visible widgets, and the renderer.
-std::string screen_numbers(const OffscreenHost& host, const ScreenHeader& header) {
+// What a script is made from: its lines without comments and the files that they name.
+struct ScriptInputs {
+    std::vector<std::string> inputs;  // names in the book
+    nlohmann::ordered_json row;
+};
+
+bool is_level_or_tape(const fs::path& file) {
+    const std::string name = file.filename().string(), ending = file.extension().string();
+    return name.ends_with(".slipface.json") || ending == ".obj" || ending == ".glb" || ending == ".gltf" ||
+           ending == ".tape";
+}
+
+ScriptInputs script_inputs(std::string_view text, const ScreenHeader& header, const fs::path& project,
+                           InputBook& book) {
+    ScriptInputs found;
+    std::set<fs::path> files, others;
+    const auto add = [&](std::string_view word) {
+        std::error_code error;
+        const fs::path file = word.empty() ? fs::path() : project / word;
+        if (fs::is_regular_file(file, error)) (is_level_or_tape(file) ? files : others).insert(file);
+    };
+    add(header.level);
+    found.row = {{"kind", "row"},
+                 {"size", {header.options.width, header.options.height}},
+                 {"scale", header.options.scale}};
+    found.row["masks"] = nlohmann::ordered_json::array();
+    for (const MaskRect& mask : header.masks)
+        found.row["masks"].push_back({mask.x, mask.y, mask.width, mask.height});
+    found.row["script"] = nlohmann::ordered_json::array();
+    for (const std::string_view raw : split(text, '\n')) {
+        const std::string_view line = trim(raw);
+        if (line.empty() || line.starts_with('#')) continue;
+        found.row["script"].push_back(nlohmann::ordered_json::array({std::string(line)}));
+        for (std::string_view word : split(line, ' ')) {
+            if (word.size() > 1 && word.front() == '"' && word.back() == '"')
+                word = word.substr(1, word.size() - 2);
+            add(word);
+        }
+    }
+    for (const fs::path& file : files)
+        found.inputs.push_back(book.add(file));
+    for (const fs::path& file : others) {
+        const Result<std::string> bytes = read_file(file);
+        Hasher hasher;
+        hasher.text(bytes ? *bytes : std::string());
+        found.row["files"][file.lexically_relative(project).generic_string()] = hasher.value();
+    }
+    std::sort(found.inputs.begin(), found.inputs.end());
+    return found;
+}
+
+// The script, the visible widgets, and the renderer.
+std::string screen_numbers(const OffscreenHost& host, const ScriptInputs& script, InputBook& book) {
     nlohmann::ordered_json numbers;
-    numbers["version"] = 1;
-    numbers["screen"] = {
-        {"width", header.options.width}, {"height", header.options.height}, {"scale", header.options.scale}};
+    numbers["version"] = 2;
+    numbers["row"] = script.row;
     nlohmann::ordered_json widgets = nlohmann::ordered_json::object();
     for (const auto& [path, widget] : ui::widgets()) {
         const auto pixel = [](float value) { return static_cast<int>(std::lround(value)); };
@@ -86,12 +137,13 @@ std::string screen_numbers(const OffscreenHost& host, const ScreenHeader& header
                          pixel(widget.max.y - widget.min.y)};
     }
     numbers["widgets"] = widgets;
+    numbers["inputs"] = nlohmann::ordered_json::parse(inputs_json(script.inputs, book));
     numbers["renderer"] = nlohmann::ordered_json::parse(renderer_fingerprint(host.context()));
     numbers["renderer"]["interface"] = ui::interface_release();
     return numbers_to_text(numbers.dump());
 }
 
-Result<Rendering> render_screen(const fs::path& script, const fs::path& project) {
+Result<Rendering> render_screen(const fs::path& script, const fs::path& project, InputBook& book) {
     const std::string location = script.filename().string();
     const Result<std::string> text = read_file(script, 1u << 20);
     if (!text) return text.error();
@@ -108,18 +160,13 @@ Result<Rendering> render_screen(const fs::path& script, const fs::path& project)
     const ScriptResult result = run_script(**host, *text, location, project);
     if (!result) return result.error;
     Image image = (*host)->screenshot();
-    return Rendering{std::move(image), screen_numbers(**host, *header)};
-}
-
-std::vector<MaskRect> masks_of(const fs::path& script) {
-    const Result<std::string> text = read_file(script, 1u << 20);
-    const Result<ScreenHeader> header = text ? read_header(*text, script.filename().string()) : text.error();
-    return header ? header->masks : std::vector<MaskRect>();
+    return Rendering{std::move(image),
+                     screen_numbers(**host, script_inputs(*text, *header, project, book), book)};
 }
 
 }  // namespace
 
-std::vector<Snapshot> screen_snapshots(const fs::path& folder) {
+std::vector<Snapshot> screen_snapshots(const fs::path& folder, InputBook& book) {
     std::error_code error;
     const fs::path absolute = fs::weakly_canonical(folder, error);
     const fs::path project = absolute.parent_path().parent_path();
@@ -130,10 +177,14 @@ std::vector<Snapshot> screen_snapshots(const fs::path& folder) {
     std::vector<Snapshot> snapshots;
     for (const fs::path& script : scripts) {
         Snapshot snapshot{"editor/" + script.stem().string(), ui_tolerance,
-                          [script, project] { return render_screen(script, project); }};
-        snapshot.masks = masks_of(script);
+                          [script, project, &book] { return render_screen(script, project, book); }};
         snapshot.elsewhere = ui_elsewhere;
-        snapshot.explain = explain_widgets;
+        const Result<std::string> text = read_file(script, 1u << 20);
+        if (const auto header = text ? read_header(*text, script.filename().string()) : text.error()) {
+            snapshot.masks = header->masks;
+            snapshot.inputs = script_inputs(*text, *header, project, book).inputs;
+        }
+        snapshot.input = [&book](const std::string& name) { return book.read(name); };
         snapshots.push_back(std::move(snapshot));
     }
     return snapshots;

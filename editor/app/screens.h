@@ -4,14 +4,15 @@
 #include <filesystem>
 #include <vector>
 
-#include "goldens/golden.h"
+#include "snapshots/input_book.h"
 
 namespace slipface {
 
 // One snapshot for each NAME.script in `folder` (screenshots/editor), by name. The script's first comment
 // lines may contain "# level: PATH" (relative to the project, two folders up), "# size: 1280x720",
-// "# scale: 1" and any number of "# mask: X,Y,WIDTH,HEIGHT" for parts that are not compared.
-std::vector<Snapshot> screen_snapshots(const std::filesystem::path& folder);
+// "# scale: 1" and any number of "# mask: X,Y,WIDTH,HEIGHT" for parts that are not compared. Levels and tapes
+// that a script names are its inputs; `book` learns them, and must outlive the snapshots.
+std::vector<Snapshot> screen_snapshots(const std::filesystem::path& folder, InputBook& book);
 
 // "1280x720" as numbers.
 std::optional<std::pair<int, int>> parse_size(std::string_view text);

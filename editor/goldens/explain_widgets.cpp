@@ -67,17 +67,17 @@ std::string what_happened(const std::string& path, const std::vector<Widget>& be
 
 }  // namespace
 
-std::vector<Finding> explain_widgets(const ExplainRequest& request) {
-    const std::vector<Widget> before = widgets_of(request.expected_numbers),
-                              after = widgets_of(request.actual.numbers);
+std::vector<Finding> explain_widgets(const Difference& difference) {
+    const std::vector<Widget> before = widgets_of(difference.expected_numbers),
+                              after = widgets_of(difference.actual.numbers);
     std::map<std::string, std::size_t> pixels;
-    const Image &a = request.expected, &b = request.actual.image;
+    const Image &a = difference.expected, &b = difference.actual.image;
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
             int delta = 0;
             for (int c = 0; c < 4; ++c)
                 delta = std::max(delta, std::abs(a.pixel(x, y)[c] - b.pixel(x, y)[c]));
-            if (delta <= request.tolerance.pixel_delta) continue;
+            if (delta <= difference.tolerance.pixel_delta) continue;
             const Widget* widget = widget_at(after, x, y);
             if (widget == nullptr) widget = widget_at(before, x, y);
             ++pixels[widget == nullptr ? "" : widget->path];

@@ -7,9 +7,12 @@
 #include <set>
 #include <string_view>
 
+#include "goldens/acts.h"
 #include "goldens/drawer.h"
+#include "goldens/explain.h"
 #include "goldens/numbers_json.h"
 #include "slipface/base/files.h"
+#include "slipface/base/hash.h"
 
 namespace slipface {
 
@@ -21,10 +24,15 @@ fs::path png_path(const fs::path& folder, const std::string& name, const char* e
     return folder / (name + ending);
 }
 
-Status write_image_file(const fs::path& path, const Image& image, PngEffort effort = PngEffort::fast) {
+Status create_folder_of(const fs::path& path) {
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     if (error) return Error{path.parent_path().string(), "cannot create the folder: " + error.message()};
+    return {};
+}
+
+Status write_image_file(const fs::path& path, const Image& image, PngEffort effort = PngEffort::fast) {
+    if (Status status = create_folder_of(path); !status) return status;
     return save_png(path, image, effort);
 }
 
@@ -48,6 +56,8 @@ void write_and_report(const fs::path& path, const Image& image, std::string& mes
 }
 
 constexpr int max_alternates = 9;
+
+constexpr std::uint64_t largest_numbers = std::uint64_t{256} << 20U;
 
 const char* const name_rule = "expected letters, digits, '-', '_', '@' and '/'";
 
@@ -74,7 +84,8 @@ struct Pair {
 };
 
 void write_actual(const Pair& pair, std::string& message) {
-    write_and_report(png_path(pair.out, pair.snapshot.name, ".actual.png"), pair.actual.image, message);
+    if (!is_input(pair.snapshot.name))
+        write_and_report(png_path(pair.out, pair.snapshot.name, ".actual.png"), pair.actual.image, message);
     if (pair.actual.numbers.empty()) return;
     const fs::path path = png_path(pair.out, pair.snapshot.name, ".actual.json");
     if (Status status = write_file_atomic(path, pair.actual.numbers); !status)
@@ -136,18 +147,70 @@ void compare_image_files(const Pair& pair, const Image& golden, const std::strin
             number.decides = true;
 }
 
-void explain_difference(const Pair& pair, const Image& golden, const std::string& golden_numbers,
-                        GoldenResult& result) {
-    const Image& actual = pair.actual.image;
-    if (golden.width != actual.width || golden.height != actual.height) {
-        result.findings.push_back({Cause::view, 0, result.comparison.verdict});
-        return;
+// The snapshot's inputs as they were approved and as they are.
+std::vector<InputPair> input_pairs(const Pair& pair, const std::string& golden_numbers) {
+    std::vector<InputPair> pairs;
+    const Numbers golden =
+        golden_numbers.empty() ? Numbers() : Numbers::parse(golden_numbers, nullptr, false);
+    const Numbers& approved = member_of(golden, "inputs");
+    for (const std::string& name : pair.snapshot.inputs) {
+        InputPair& input = pairs.emplace_back(InputPair{name, "", "", false});
+        const Result<std::string> before = read_file(png_path(pair.folder, name, ".json"), largest_numbers);
+        if (before) input.before = *before;
+        const Result<Input> now = pair.snapshot.input ? pair.snapshot.input(name) : Error{name, "unknown"};
+        if (!now) continue;
+        input.after = now->facts;
+        const Numbers& bytes = member_of(approved, name);
+        input.same_bytes = !now->bytes.empty() && bytes == input_mark(input.before, now->bytes);
     }
-    const Rendering seen{masked(golden, actual, pair.snapshot.masks), pair.actual.numbers};
-    result.sweep = threshold_sweep(golden, seen.image);
-    if (!pair.snapshot.explain) return;
-    result.findings = pair.snapshot.explain(
-        {golden, seen, golden_numbers, result.numbers, pair.folder, pair.snapshot.tolerance});
+    return pairs;
+}
+
+std::string pixels_hash(const Image& image) {
+    return hex_text(hash_blocks(image.rgba.data(), image.rgba.size()));
+}
+
+// Whether nothing is forgiven where the inputs are the same: the same renderer drew both, and the golden is
+// the image that its numbers were written with, not one that fitted them.
+bool exact_gate(const Image& golden, const std::string& golden_numbers, const std::string& actual_numbers) {
+    if (golden_numbers.empty() || actual_numbers.empty()) return false;
+    const Numbers was = Numbers::parse(golden_numbers, nullptr, false),
+                  is = Numbers::parse(actual_numbers, nullptr, false);
+    const Numbers& renderer = member_of(was, "renderer");
+    return !renderer.is_null() && renderer == member_of(is, "renderer") &&
+           member_of(was, "pixels") == pixels_hash(golden);
+}
+
+// Facts of an input: a snapshot without an image.
+GoldenResult check_input(const Pair& pair) {
+    const fs::path path = png_path(pair.folder, pair.snapshot.name, ".json");
+    const Result<std::string> before = read_file(path, largest_numbers);
+    if (!on_disk(path))
+        return without_golden(pair, GoldenState::missing, path.string() + ": not approved yet");
+    if (!before) return without_golden(pair, GoldenState::unreadable, before.error().text());
+    const auto numbers = compare_numbers(*before, pair.actual.numbers, path.string());
+    if (!numbers) return without_golden(pair, GoldenState::unreadable, numbers.error().text());
+    GoldenResult result;
+    result.name = pair.snapshot.name;
+    InputPair input{result.name, *before, pair.actual.numbers, false};
+    if (const Result<Input> now = pair.snapshot.input ? pair.snapshot.input(result.name) : Error{};
+        now && any_decides(*numbers))
+        input.same_bytes = !now->bytes.empty() &&
+                           bytes_were_approved(pair.folder, result.name, input_mark(*before, now->bytes));
+    result.findings = explain_input(input);
+    // Where packed bytes or an order differ, nothing is red.
+    result.state = any_decides(*numbers) ? GoldenState::different : GoldenState::same;
+    if (result.state == GoldenState::same) {
+        if (!result.findings.empty()) result.matched = result.findings.front().text;
+        result.findings.clear();
+        result.message = result.matched;
+        return result;
+    }
+    if (result.findings.empty())
+        result.findings.push_back({Cause::level, 0, fmt::format("{} changed", result.name), true});
+    result.message = result.findings.front().text;
+    write_actual(pair, result.message);
+    return result;
 }
 
 std::string difference_message(const GoldenResult& result, const fs::path& golden_path) {
@@ -197,6 +260,7 @@ GoldenResult check_golden(const fs::path& folder, const Snapshot& snapshot, cons
         result.message = fmt::format("found the snapshot name \"{}\", {}", snapshot.name, name_rule);
         return result;
     }
+    if (is_input(snapshot.name)) return check_input(pair);
     const fs::path golden_path = png_path(folder, snapshot.name, ".png");
     const fs::path numbers_path = png_path(folder, snapshot.name, ".json");
     if (!on_disk(golden_path))
@@ -207,7 +271,7 @@ GoldenResult check_golden(const fs::path& folder, const Snapshot& snapshot, cons
     if (!actual.numbers.empty()) {
         if (!on_disk(numbers_path))
             return without_golden(pair, GoldenState::missing, numbers_path.string() + ": no numbers");
-        const Result<std::string> text = read_file(numbers_path, std::uint64_t{64} << 20U);
+        const Result<std::string> text = read_file(numbers_path, largest_numbers);
         if (!text) return without_golden(pair, GoldenState::unreadable, text.error().text());
         golden_numbers = *text;
     }
@@ -217,20 +281,35 @@ GoldenResult check_golden(const fs::path& folder, const Snapshot& snapshot, cons
     GoldenResult result;
     result.name = snapshot.name;
     result.numbers = *numbers;
+    std::erase_if(result.numbers, [](const NumberDifference& number) { return number.path == "/pixels"; });
     compare_image_files(pair, *golden, golden_numbers, result);
-    const bool same = result.comparison.same && !any_decides(result.numbers);
-    result.state = same ? GoldenState::same : GoldenState::different;
-    result.message = difference_message(result, golden_path);
-    if (same && !result.matched.empty())
-        result.message = fmt::format("{} matches; the golden itself does not", result.matched);
-    if (same) return result;
+    const bool passes = result.comparison.same && !any_decides(result.numbers);
+    const bool identical = result.comparison.max_delta == 0 || !result.matched.empty();
+    const auto same = [&] {
+        result.findings.clear();
+        result.state = GoldenState::same;
+        result.message = result.matched.empty()
+                             ? difference_message(result, golden_path)
+                             : fmt::format("{} matches; the golden itself does not", result.matched);
+        return result;
+    };
+    if (passes && identical) return same();
+    const Rendering seen{masked(*golden, actual.image, snapshot.masks), actual.numbers};
+    const std::vector<InputPair> inputs = input_pairs(pair, golden_numbers);
+    result.findings = explain({*golden, seen, golden_numbers, result.numbers, inputs, snapshot.tolerance});
+    // What the same renderer drew from the same inputs are the same pixels.
+    const bool exact = result.findings.front().cause == Cause::program &&
+                       exact_gate(*golden, golden_numbers, actual.numbers);
+    if (passes && !exact) return same();
+    if (passes) result.comparison.verdict += "; the same renderer draws the same inputs with the same pixels";
+    result.comparison.same = false;
+    result.state = GoldenState::different;
     result.matched.clear();
-    explain_difference(pair, *golden, golden_numbers, result);
-    if (!result.findings.empty()) result.message += "; " + result.findings.front().text;
+    result.sweep = threshold_sweep(*golden, seen.image);
+    result.message = result.findings.front().text + "; " + difference_message(result, golden_path);
     write_and_report(png_path(out, snapshot.name, ".expected.png"), *golden, result.message);
     write_actual(pair, result.message);
-    write_and_report(png_path(out, snapshot.name, ".difference.png"),
-                     difference_image(*golden, masked(*golden, actual.image, snapshot.masks)),
+    write_and_report(png_path(out, snapshot.name, ".difference.png"), difference_image(*golden, seen.image),
                      result.message);
     return result;
 }
@@ -240,53 +319,78 @@ Result<std::vector<std::string>> approve_golden(const fs::path& folder, const Sn
     if (!valid_snapshot_name(snapshot.name))
         return Error{"snapshot name", fmt::format("found \"{}\", {}", snapshot.name, name_rule)};
     std::vector<std::string> written;
+    const fs::path numbers_path = png_path(folder, snapshot.name, ".json");
+    const Result<std::string> before = read_file(numbers_path, largest_numbers);
+    const auto write_numbers = [&]() -> Status {
+        if (Status status = create_folder_of(numbers_path); !status) return status;
+        written.push_back(snapshot.name + ".json");
+        Numbers numbers = Numbers::parse(actual.numbers, nullptr, false);
+        if (is_input(snapshot.name) || !numbers.is_object())
+            return write_file_atomic(numbers_path, actual.numbers);
+        numbers["pixels"] = pixels_hash(actual.image);
+        return write_file_atomic(numbers_path, numbers_text(numbers));
+    };
+    const auto differences = before ? compare_numbers(*before, actual.numbers, "")
+                                    : Result<std::vector<NumberDifference>>(before.error());
+    if (is_input(snapshot.name)) {
+        const bool same =
+            differences && std::all_of(differences->begin(), differences->end(),
+                                       [](const auto& one) { return one.path.ends_with("/packed"); });
+        if (same && !options.force) return written;
+        if (Status status = write_numbers(); !status) return status.error();
+        return written;
+    }
     const fs::path path = png_path(folder, snapshot.name, ".png");
     const Result<Image> golden = load_golden(path);
-    const bool fits =
-        golden &&
-        compare_images(*golden, masked(*golden, actual.image, snapshot.masks), snapshot.tolerance).same;
+    const auto fits_to = [&](const Result<Image>& image) {
+        return image &&
+               compare_images(*image, masked(*image, actual.image, snapshot.masks), snapshot.tolerance).same;
+    };
+    const PngEffort effort = options.packed ? PngEffort::small : PngEffort::fast;
     if (options.here && golden) {
-        const Result<std::string> numbers = read_file(png_path(folder, snapshot.name, ".json"));
         const std::string drawer = drawn_by(actual.numbers);
-        if (numbers && !drawer.empty() && drawer != drawn_by(*numbers)) {
-            if (fits && !options.force) return written;
+        if (before && !drawer.empty() && drawer != drawn_by(*before)) {
             const fs::path own = own_golden(folder, snapshot.name, drawer);
-            const Result<Image> before = load_golden(own);
-            if (before && !options.force &&
-                compare_images(*before, masked(*before, actual.image, snapshot.masks), snapshot.tolerance)
-                    .same)
-                return written;
-            if (Status status =
-                    write_image_file(own, actual.image, options.packed ? PngEffort::small : PngEffort::fast);
-                !status)
-                return status.error();
+            if ((fits_to(golden) || fits_to(load_golden(own))) && !options.force) return written;
+            if (Status status = write_image_file(own, actual.image, effort); !status) return status.error();
             written.push_back(own.lexically_relative(folder).generic_string());
             return written;
         }
     }
-    if (!fits || options.force) {
-        const PngEffort effort = options.packed ? PngEffort::small : PngEffort::fast;
+    const bool same_pixels = golden && masked(*golden, actual.image, snapshot.masks) == *golden;
+    const bool exact = golden && before && exact_gate(*golden, *before, actual.numbers);
+    if ((exact ? !same_pixels : !fits_to(golden)) || options.force) {
         if (Status status = write_image_file(path, actual.image, effort); !status) return status.error();
         written.push_back(snapshot.name + ".png");
     }
     if (actual.numbers.empty()) return written;
-    const fs::path numbers_path = png_path(folder, snapshot.name, ".json");
-    const Result<std::string> before = read_file(numbers_path);
-    const auto differences = before ? compare_numbers(*before, actual.numbers, "") : before.error();
-    if (!differences || any_decides(*differences) || !written.empty()) {
-        if (Status status = write_file_atomic(numbers_path, actual.numbers); !status) return status.error();
-        written.push_back(snapshot.name + ".json");
-    }
-    if (!snapshot.attachment || written.empty()) return written;
-    const Result<Attachment> attachment = snapshot.attachment();
-    if (!attachment) return attachment.error();
-    if (attachment->path.empty() || on_disk(folder / attachment->path)) return written;
-    std::error_code error;
-    fs::create_directories((folder / attachment->path).parent_path(), error);
-    if (Status status = write_file_atomic(folder / attachment->path, attachment->bytes); !status)
-        return status.error();
-    written.push_back(attachment->path);
+    if (!differences || any_decides(*differences) || !written.empty())
+        if (Status status = write_numbers(); !status) return status.error();
     return written;
+}
+
+std::string what_repeats_otherwise(const Snapshot& snapshot, const Rendering& first,
+                                   const Rendering& second) {
+    const Image again = masked(first.image, second.image, snapshot.masks);
+    const auto numbers = compare_numbers(first.numbers, second.numbers, "");
+    const bool same_numbers = first.numbers == second.numbers || !numbers || numbers->empty();
+    if (first.image == again && same_numbers) return "";
+    const Comparison comparison = compare_images(first.image, again, snapshot.tolerance);
+    const std::vector<NumberDifference> none;
+    const std::string where = first.image.width != again.width || first.image.height != again.height
+                                  ? comparison.verdict
+                                  : explain({first.image,
+                                             {again, second.numbers},
+                                             first.numbers,
+                                             numbers ? *numbers : none,
+                                             {},
+                                             snapshot.tolerance})
+                                        .front()
+                                        .text;
+    return fmt::format(
+        "two renderings in a row differ: {}{}",
+        first.image != again ? comparison.verdict : "the same image, other numbers",
+        where.find(": ") == std::string::npos ? "" : "; " + where.substr(where.find(": ") + 2));
 }
 
 GoldenResult check_snapshot(const Snapshot& snapshot, const fs::path& folder, const fs::path& out,
@@ -306,23 +410,23 @@ GoldenResult check_snapshot(const Snapshot& snapshot, const fs::path& folder, co
     forget_images(out, snapshot.name);
     const Result<Rendering> first = snapshot.render();
     if (!first) return failed(first.error());
-    if (render_twice) {
-        const Result<Rendering> second = snapshot.render();
-        if (!second) return failed(second.error());
-        if (first->image != second->image || first->numbers != second->numbers) {
-            result.state = GoldenState::nondeterministic;
-            result.comparison = compare_images(first->image, second->image, snapshot.tolerance);
-            result.message = fmt::format(
-                "{}: two renderings in a row differ: {}", snapshot.name,
-                first->image != second->image ? result.comparison.verdict : "the same image, other numbers");
-            if (valid_snapshot_name(snapshot.name)) {
-                write_and_report(png_path(out, snapshot.name, ".first.png"), first->image, result.message);
-                write_and_report(png_path(out, snapshot.name, ".second.png"), second->image, result.message);
-            }
-            return timed(result);
-        }
+    GoldenResult checked = check_golden(folder, snapshot, *first, out);
+    if (is_input(snapshot.name) || (checked.state == GoldenState::same && !render_twice))
+        return timed(std::move(checked));
+    const Result<Rendering> second = snapshot.render();
+    if (!second) return failed(second.error());
+    const std::string unstable = what_repeats_otherwise(snapshot, *first, *second);
+    if (unstable.empty()) return timed(std::move(checked));
+    forget_images(out, snapshot.name);
+    result.state = GoldenState::nondeterministic;
+    result.comparison = compare_images(first->image, second->image, snapshot.tolerance);
+    result.message = unstable;
+    result.findings.push_back({Cause::program, result.comparison.differing, unstable, true});
+    if (valid_snapshot_name(snapshot.name)) {
+        write_and_report(png_path(out, snapshot.name, ".first.png"), first->image, result.message);
+        write_and_report(png_path(out, snapshot.name, ".second.png"), second->image, result.message);
     }
-    return timed(check_golden(folder, snapshot, *first, out));
+    return timed(std::move(result));
 }
 
 }  // namespace slipface

@@ -34,47 +34,43 @@ struct Rendering {
     std::string numbers;
 };
 
-// One cause of a difference, in words: "3 faces of `roof` changed ice to default".
+// One cause of a difference, or what follows from one, in words: "3 faces of `roof` changed ice to default".
 struct Finding {
     Cause cause = Cause::renderer;
     std::size_t pixels = 0;  // number of changed pixels that it explains; 0: none, or numbers only
     std::string text;
+    bool act = false;  // somebody did it, or the program; false: it follows, and says what was seen
 };
 
-// The input of Snapshot::explain. The images are masked and of equal size.
-struct ExplainRequest {
-    const Image& expected;
-    const Rendering& actual;
-    const std::string& expected_numbers;
-    const std::vector<NumberDifference>& numbers;
-    std::filesystem::path goldens;  // folder of the goldens and their attachments
-    CompareTolerance tolerance;
-};
-
-// A file that several goldens use, such as a level's digest.
-struct Attachment {
-    std::string path;  // below the goldens' folder; empty: no attachment
-    std::string bytes;
+// What a snapshot is made from: a level, a tape. Its facts (JSON, goldens/level_facts.h) are by meaning;
+// `bytes` is a hash of its files, empty where there are none.
+struct Input {
+    std::string facts, bytes;
 };
 
 // An image that can be rendered by name. Suites are lists of these: scenes in this module, screens in the
-// editor.
+// editor. An input is a snapshot without an image, whose numbers are its facts: inputs/levels/easy.
 struct Snapshot {
     std::string name;
     CompareTolerance tolerance;
     std::function<Result<Rendering>()> render;
     std::vector<MaskRect> masks = {};
-    CoarseTolerance elsewhere = {};  // where other releases of the drawing libraries drew the golden
-    std::function<std::vector<Finding>(const ExplainRequest&)> explain = {};  // may be empty
-    std::function<Result<Attachment>()> attachment = {};                      // may be empty
+    CoarseTolerance elsewhere = {};        // where other releases of the drawing libraries drew the golden
+    std::vector<std::string> inputs = {};  // names of the snapshots that are its inputs
+    std::function<Result<Input>(const std::string& name)> input = {};  // as they are now; may be empty
 };
+
+inline constexpr std::string_view input_folder = "inputs/";
+inline bool is_input(std::string_view name) {
+    return name.starts_with(input_folder);
+}
 
 struct GoldenResult {
     std::string name;  // "scenes/easy-overview"
     GoldenState state = GoldenState::missing;
     Comparison comparison;
     std::vector<NumberDifference> numbers;
-    std::vector<Finding> findings;    // causes before their effects
+    std::vector<Finding> findings;    // acts before what follows from them
     std::array<SweepRow, 8> sweep{};  // differing pixels at other thresholds
     // What matches instead of the golden: the alternate "NAME.alt1", the drawer's own "renderers/.../NAME",
     // or the golden of another drawer, coarsely. Empty: none was needed or none matches.
@@ -92,27 +88,34 @@ GoldenResult check_golden(const std::filesystem::path& folder, const Snapshot& s
                           const Rendering& actual, const std::filesystem::path& out);
 
 // Renders `snapshot` and checks it. With `render_twice`, two renderings that differ in any byte make it
-// nondeterministic.
+// nondeterministic. What is not the same is rendered a second time in any case, so that nobody reviews or
+// approves an image that differs from run to run.
 GoldenResult check_snapshot(const Snapshot& snapshot, const std::filesystem::path& folder,
                             const std::filesystem::path& out, bool render_twice = false);
+
+// What differs between two renderings of one snapshot outside its masks; empty: nothing.
+std::string what_repeats_otherwise(const Snapshot& snapshot, const Rendering& first, const Rendering& second);
 
 struct ApproveOptions {
     bool force = false;  // also rewrite goldens that match
     bool packed = true;  // spend more time for a smaller PNG
     bool here = false;   // where other libraries drew the golden, leave it, and write one for these
 };
-// Makes `actual` the golden: image, numbers and attachment. An image that the gate calls the same is not
-// rewritten, nor are equal numbers. Returns the paths of the written files, relative to `folder`.
+// Makes `actual` the golden: image and numbers. An image that passes is not rewritten, nor are equal numbers.
+// Returns the paths of the written files, relative to `folder`.
 Result<std::vector<std::string>> approve_golden(const std::filesystem::path& folder, const Snapshot& snapshot,
                                                 const Rendering& actual, const ApproveOptions& options = {});
 
-// Names of the PNG files below `folder` that are neither one of `names` nor an alternate of one, ascending.
-// Folders whose name begins with '.' are skipped. A golden of one drawer is that of its name.
+// Names of the PNG files below `folder`, and of the facts below its inputs, that are neither one of `names`
+// nor an alternate of one, ascending. Folders whose name begins with '.' are skipped. A golden of one drawer
+// is that of its name.
 std::vector<std::string> orphan_goldens(const std::filesystem::path& folder,
                                         const std::vector<std::string>& names);
 
-// Attachments in FOLDER/levels that the numbers of no golden name, ascending, as paths relative to `folder`.
-std::vector<std::string> unused_attachments(const std::filesystem::path& folder);
+// Whether a golden below `folder` was approved with this mark of the input: the bytes of its files, and the
+// facts that they were read as.
+bool bytes_were_approved(const std::filesystem::path& folder, const std::string& input,
+                         const std::string& mark);
 
 // An image with a change that the gate must detect, or with noise that it must accept. These cases prove that
 // the gate works.

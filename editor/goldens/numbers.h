@@ -10,15 +10,16 @@
 
 namespace slipface {
 
-// The kind of change that causes a difference. Each field of the numbers belongs to one.
-enum class Cause { renderer, view, level, movement, ui };
-const char* cause_name(Cause cause);  // "renderer", "view", "level", "movement", "UI"
+// What caused a difference. Each field of the numbers belongs to one.
+enum class Cause { renderer, view, level, movement, ui, program, order };
+inline constexpr std::size_t cause_count = 7;
+const char* cause_name(Cause cause);  // "renderer", "view", "level", "movement", "UI", "program", "order"
 
 struct NumberDifference {
     std::string path;  // "/movement/tape/samples/3"
     Cause cause = Cause::level;
     std::string expected, actual;  // as JSON; "nothing" on a side without the field
-    bool decides = true;  // false: only explains, never fails a check (the renderer, hashes, widgets)
+    bool decides = true;  // false: only explains, never fails a check (the renderer, orders, widgets)
 };
 
 // The differences of two texts of numbers. An empty text has no numbers. Errors, at `location`: a text that

@@ -43,24 +43,21 @@ std::string golden_of_file(std::string name) {
 std::vector<std::string> orphan_goldens(const fs::path& folder, const std::vector<std::string>& names) {
     const std::set<std::string> known(names.begin(), names.end());
     std::vector<std::string> orphans = files_below(folder, ".png");
+    for (const std::string& name : files_below(folder, ".json"))
+        if (is_input(name)) orphans.push_back(name);
     std::erase_if(orphans, [&](const std::string& name) { return known.contains(golden_of_file(name)); });
     return orphans;
 }
 
-std::vector<std::string> unused_attachments(const fs::path& folder) {
-    std::vector<std::string> files = files_below(folder / "levels", ".digest");
-    std::set<std::string> used;
+bool bytes_were_approved(const fs::path& folder, const std::string& input, const std::string& mark) {
     for (const std::string& name : files_below(folder, ".json")) {
+        if (is_input(name)) continue;
         const Result<std::string> text = read_file(folder / (name + ".json"), std::uint64_t{64} << 20U);
         const Numbers numbers = text ? Numbers::parse(*text, nullptr, false) : Numbers();
-        if (!numbers.is_object() || !numbers.contains("level") || !numbers["level"].is_object()) continue;
-        const auto digest = numbers["level"].find("digest");
-        if (digest != numbers["level"].end() && digest->is_string()) used.insert(digest->get<std::string>());
+        if (numbers.is_object() && numbers.contains("inputs") && numbers["inputs"].value(input, "") == mark)
+            return true;
     }
-    std::erase_if(files, [&](const std::string& name) { return used.contains(name); });
-    for (std::string& name : files)
-        name = "levels/" + name + ".digest";
-    return files;
+    return false;
 }
 
 }  // namespace slipface

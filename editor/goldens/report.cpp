@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <tuple>
 
 #include "goldens/junit.h"
 #include "goldens/numbers_json.h"
+#include "slipface/base/counted.h"
 #include "slipface/base/files.h"
 #include "slipface/base/hash.h"
 #include "slipface/base/version.h"
@@ -43,8 +45,10 @@ Numbers entry_json(const GoldenResult& entry) {
             {"differing", c.differing},       {"allowed", c.allowed},
             {"densest", c.densest_window},    {"at", Numbers::array({c.densest_x, c.densest_y})}};
     for (const Finding& finding : entry.findings)
-        json["findings"].push_back(
-            {{"cause", cause_name(finding.cause)}, {"pixels", finding.pixels}, {"text", finding.text}});
+        json["findings"].push_back({{"cause", cause_name(finding.cause)},
+                                    {"pixels", finding.pixels},
+                                    {"text", finding.text},
+                                    {"act", finding.act}});
     for (const NumberDifference& number : entry.numbers)
         json["numbers"].push_back({{"path", number.path},
                                    {"cause", cause_name(number.cause)},
@@ -58,8 +62,8 @@ Numbers entry_json(const GoldenResult& entry) {
 }
 
 Cause cause_of(const Numbers& json) {
-    for (const Cause cause : {Cause::renderer, Cause::view, Cause::level, Cause::movement, Cause::ui})
-        if (json.value("cause", "") == cause_name(cause)) return cause;
+    for (std::size_t i = 0; i < cause_count; ++i)
+        if (json.value("cause", "") == cause_name(static_cast<Cause>(i))) return static_cast<Cause>(i);
     return Cause::level;
 }
 
@@ -92,7 +96,7 @@ GoldenResult entry_of(const Numbers& json) {
     }
     for (const Numbers& finding : json.value("findings", Numbers::array()))
         entry.findings.push_back({cause_of(finding), finding.at("pixels").get<std::size_t>(),
-                                  finding.at("text").get<std::string>()});
+                                  finding.at("text").get<std::string>(), finding.value("act", true)});
     for (const Numbers& number : json.value("numbers", Numbers::array())) {
         auto path = number.at("path").get<std::string>();
         if (!path.starts_with('/'))
@@ -120,11 +124,6 @@ std::string annotation_text(std::string_view text) {
     for (const char c : text)
         out += c == '%' ? "%25" : c == '\n' ? "%0A" : c == '\r' ? "%0D" : std::string(1, c);
     return out;
-}
-
-bool can_be_approved(const GoldenResult& entry) {
-    return entry.state == GoldenState::different || entry.state == GoldenState::missing ||
-           entry.state == GoldenState::unreadable;
 }
 
 Status copy_images(const std::string& name, const fs::path& from, const fs::path& to) {
@@ -210,32 +209,98 @@ Result<Report> report_from_json(std::string_view text, const std::string& locati
     return Error{location, fmt::format("is no report: {}", exception.what())};
 }
 
+bool can_be_approved(const GoldenResult& entry) {
+    return entry.state == GoldenState::different || entry.state == GoldenState::missing ||
+           entry.state == GoldenState::unreadable;
+}
+
+std::vector<ActRow> act_rows(const Report& report) {
+    std::vector<ActRow> rows;
+    std::map<std::string, std::size_t> known;
+    const auto add = [&](const std::string& text, const std::string& word, std::size_t entry,
+                         std::size_t pixels) {
+        const auto [at, is_new] = known.emplace(word + " " + text, rows.size());
+        if (is_new) rows.push_back({text, word, {}, 0});
+        ActRow& row = rows[at->second];
+        if (row.entries.empty() || row.entries.back() != entry) row.entries.push_back(entry);
+        row.pixels = std::max(row.pixels, pixels);
+    };
+    for (std::size_t i = 0; i < report.entries.size(); ++i) {
+        const GoldenResult& entry = report.entries[i];
+        if (entry.state == GoldenState::same) continue;
+        bool any = false;
+        for (const Finding& finding : entry.findings) {
+            if (!finding.act) continue;
+            any = true;
+            add(finding.text,
+                entry.state == GoldenState::different ? cause_name(finding.cause)
+                                                      : golden_state_name(entry.state),
+                i, entry.comparison.differing);
+        }
+        if (any) continue;
+        const bool common = entry.state == GoldenState::missing || entry.state == GoldenState::orphan;
+        add(entry.state == GoldenState::missing ? "nothing is approved under this name"
+            : entry.state == GoldenState::orphan
+                ? "no snapshot makes this; `slipface snapshot approve --prune` removes it"
+                : entry.message,
+            golden_state_name(entry.state), i, common ? 0 : entry.comparison.differing);
+    }
+    std::stable_sort(rows.begin(), rows.end(),
+                     [](const ActRow& a, const ActRow& b) { return a.entries.size() > b.entries.size(); });
+    return rows;
+}
+
+std::string entries_text(const Report& report, const ActRow& row) {
+    std::vector<std::string> images, inputs;
+    for (const std::size_t entry : row.entries) {
+        const std::string& name = report.entries[entry].name;
+        if (is_input(name))
+            inputs.push_back(name);
+        else
+            images.push_back(name);
+    }
+    const auto list = [](const std::vector<std::string>& names) {
+        constexpr std::size_t most = 6;
+        std::string text;
+        for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+            text += (i > 0 ? ", " : "") + names[i];
+        return names.size() > most ? fmt::format("{} and {} more", text, names.size() - most) : text;
+    };
+    std::string text =
+        images.empty() ? "" : fmt::format("{}: {}", counted(images.size(), "image"), list(images));
+    if (row.pixels > 0) text += fmt::format("; {} at most", counted(row.pixels, "pixel"));
+    if (inputs.empty()) return text;
+    return images.empty() ? list(inputs) + (row.word == "missing" ? "" : ", in no image")
+                          : fmt::format("{}; {}", text, list(inputs));
+}
+
 std::string report_to_junit(const Report& report) {
     std::vector<JunitCase> cases;
-    for (const GoldenResult& entry : report.entries) {
+    for (const GoldenResult& entry : report.entries)
+        if (entry.state == GoldenState::same) cases.push_back({.name = entry.name, .seconds = entry.seconds});
+    for (const ActRow& row : act_rows(report)) {
         JunitCase& one = cases.emplace_back();
-        one.name = entry.name;
-        one.seconds = entry.seconds;
-        if (entry.state == GoldenState::same) continue;
-        one.failure = golden_state_name(entry.state);
-        one.message = entry.message;
-        one.details = entry.message + "\n";
-        for (const Finding& finding : entry.findings)
-            one.details +=
-                fmt::format("{} px ({}): {}\n", finding.pixels, cause_name(finding.cause), finding.text);
+        one.name = row.text;
+        one.failure = row.word;
+        one.message = fmt::format("{}: {} ({})", row.word, row.text, entries_text(report, row));
+        for (const std::size_t entry : row.entries) {
+            one.seconds = one.seconds.value_or(0.0) + report.entries[entry].seconds;
+            one.details += fmt::format("{}: {}\n", report.entries[entry].name, report.entries[entry].message);
+            if (!is_input(report.entries[entry].name))
+                one.details += fmt::format("[[ATTACHMENT|{}.actual.png]]\n", report.entries[entry].name);
+        }
     }
     return junit_text("snapshots", cases, report.seconds);
 }
 
 std::string report_to_annotations(const Report& report) {
     std::string lines;
-    for (const GoldenResult& entry : report.entries) {
-        if (entry.state == GoldenState::same) continue;
-        std::string text = entry.message;
-        for (const Finding& finding : entry.findings)
-            text += fmt::format("\n{} px: {}", finding.pixels, finding.text);
-        lines += fmt::format("::error file={}/{}.png,title=Snapshot {}::{}\n", report.goldens, entry.name,
-                             golden_state_name(entry.state), annotation_text(text));
+    for (const ActRow& row : act_rows(report)) {
+        const std::string& first = report.entries[row.entries.front()].name;
+        lines += fmt::format(
+            "::error file={}/{}{},title=Snapshots::{}\n", report.goldens, first,
+            is_input(first) ? ".json" : ".png",
+            annotation_text(fmt::format("{}: {}\n{}", row.word, row.text, entries_text(report, row))));
     }
     return lines;
 }

@@ -29,6 +29,21 @@ struct Report {
 // missing, orphans, then the same ones by name.
 void sort_by_severity(Report& report);
 
+// One act, and all that it changed.
+struct ActRow {
+    std::string text;  // "prop `crate` moved 1 m (levels/easy)"; of entries without an act, what they are
+    std::string word;  // the cause, or the state: "level", "missing"
+    std::vector<std::size_t> entries;  // of the report, in its order
+    std::size_t pixels = 0;            // of the entry that it changed most
+};
+// The acts of all entries that are not the same; those that changed most entries first. An entry of several
+// acts is in several rows.
+std::vector<ActRow> act_rows(const Report& report);
+// "3 images: a, b, c", with inputs apart: "; and levels/easy".
+std::string entries_text(const Report& report, const ActRow& row);
+
+bool can_be_approved(const GoldenResult& entry);  // different, missing or unreadable
+
 std::string entry_to_json(const GoldenResult& entry);  // on one line
 Result<GoldenResult> entry_from_json(std::string_view json, const std::string& location);
 std::string report_to_json(const Report& report);
@@ -42,7 +57,7 @@ std::string report_to_html(const Report& report, const std::filesystem::path& ou
 Status write_report_images(const Report& report, const std::filesystem::path& out);
 std::string report_to_junit(const Report& report);
 
-// "::error file=screenshots/NAME.png,...", one line per failed entry, for GitHub Actions.
+// "::error file=screenshots/NAME.png,...", one line per act, for GitHub Actions.
 std::string report_to_annotations(const Report& report);
 
 // The command that approves all entries that are different, missing or unreadable; empty if there are none.

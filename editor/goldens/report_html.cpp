@@ -63,6 +63,13 @@ std::string report_to_html(const Report& report, const fs::path& out) {
     Numbers data = Numbers::parse(report_to_json(report));
     data["approve"] = "slipface snapshot approve --from " + (out / "report.json").generic_string() +
                       (report.goldens == "screenshots" ? "" : " --goldens " + report.goldens);
+    data["rows"] = Numbers::array();
+    for (const ActRow& row : act_rows(report)) {
+        Numbers names = Numbers::array();
+        for (const std::size_t entry : row.entries)
+            names.push_back(report.entries[entry].name);
+        data["rows"].push_back({{"text", row.text}, {"word", row.word}, {"entries", names}});
+    }
     const bool embedded = fits_in_page(report, out);
     for (Numbers& entry : data["entries"]) {
         if (entry["state"] == "same") continue;

@@ -25,8 +25,10 @@ nav{overflow:auto;border-right:1px solid var(--line);background:var(--panel);dis
 button{font:inherit;color:var(--text);background:var(--bg);border:1px solid var(--line);border-radius:6px;padding:4px 10px;cursor:pointer}
 button:hover{border-color:var(--accent)}button.on{background:var(--accent);border-color:var(--accent);color:#fff}
 button:focus-visible,input:focus-visible{outline:2px solid var(--accent);outline-offset:1px}
-.item{display:grid;grid-template-columns:10px 1fr auto;gap:10px;align-items:center;padding:7px 14px;cursor:pointer;border-left:3px solid transparent}
-.item.on{background:var(--pick);border-left-color:var(--accent)}
+.item{display:grid;grid-template-columns:10px 1fr auto;gap:10px;align-items:center;padding:7px 14px;width:100%;text-align:left;background:none;border:0;border-radius:0;border-left:3px solid transparent}
+.item.on{background:var(--pick);border-left-color:var(--accent);color:var(--text)}
+.act{padding:12px 14px 6px;border-top:1px solid var(--line)}.act p{margin:0 0 6px;overflow-wrap:anywhere}
+.act div{display:flex;gap:8px;align-items:center;justify-content:space-between}
 .item .name{overflow-wrap:anywhere}.item .mark{font-weight:700}
 .dot{width:10px;height:10px;border-radius:50%;background:var(--bad)}
 .dot.same{background:var(--good)}.dot.missing,.dot.orphan{background:var(--warn)}
@@ -38,6 +40,8 @@ figure img,figure canvas{width:100%;display:block;border:1px solid var(--line);b
 body.exact figure{flex:0 0 auto}body.exact figure img,body.exact figure canvas{width:auto;image-rendering:pixelated}
 #swipe{position:relative}#swipe .top{position:absolute;left:0;top:0;overflow:hidden;border-right:2px solid var(--accent);width:50%;height:100%}
 #swipe .top img{position:absolute;left:0;top:0;max-width:none}
+#onion{position:relative}#onion img+img{position:absolute;left:0;top:0}
+canvas.near{image-rendering:pixelated}
 table{border-collapse:collapse;width:100%}td,th{text-align:left;padding:4px 12px 4px 0;border-bottom:1px solid var(--line);vertical-align:top;overflow-wrap:anywhere}
 th{color:var(--muted);font-weight:600}
 td.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
@@ -46,11 +50,12 @@ code{font:12.5px/1.5 ui-monospace,"DejaVu Sans Mono",monospace}
 footer{grid-column:1/3;display:flex;gap:12px;align-items:center;padding:10px 20px;border-top:1px solid var(--line);background:var(--panel)}
 footer code{flex:1;overflow-x:auto;white-space:nowrap;background:var(--bg);padding:6px 10px;border:1px solid var(--line);border-radius:6px}
 kbd{border:1px solid var(--line);border-bottom-width:2px;border-radius:4px;padding:0 5px;font:12px ui-monospace,monospace}
+@media (max-width:800px){body{grid-template:auto minmax(120px,34vh) 1fr auto/1fr}header,footer{grid-column:1;flex-wrap:wrap;gap:6px}footer span,#renderer{display:none}nav{border-right:0;border-bottom:1px solid var(--line)}figure{flex-basis:100%}}
 </style></head><body>
 <header><h1>Snapshots</h1><span id="totals"></span><span class="muted" id="renderer"></span></header>
-<nav><div id="filters"><input id="search" placeholder="Find by name" aria-label="Find by name"></div><div id="list" role="listbox"></div></nav>
+<nav aria-label="Snapshots"><div id="filters"><input id="search" placeholder="Find by name or act" aria-label="Find by name or act"></div><div id="list"></div></nav>
 <main id="main"></main>
-<footer><code id="command"></code><button id="copy">Copy</button><span class="muted"><kbd>j</kbd> <kbd>k</kbd> next, previous&ensp;<kbd>a</kbd> approve&ensp;<kbd>r</kbd> reject&ensp;<kbd>s</kbd> skip&ensp;<kbd>1</kbd>–<kbd>4</kbd> mode&ensp;<kbd>space</kbd> blink&ensp;<kbd>z</kbd> size</span></footer>
+<footer><code id="command"></code><button id="copy">Copy</button><span class="muted"><kbd>j</kbd> <kbd>k</kbd> next, previous&ensp;<kbd>a</kbd> approve&ensp;<kbd>r</kbd> reject&ensp;<kbd>s</kbd> skip&ensp;<kbd>1</kbd>–<kbd>5</kbd> mode&ensp;<kbd>d</kbd> difference&ensp;<kbd>space</kbd> blink&ensp;<kbd>z</kbd> size</span></footer>
 <script>
 const DATA = )html";
 
@@ -59,14 +64,24 @@ const $ = id => document.getElementById(id);
 const el = (tag, props = {}, ...children) => { const e = Object.assign(document.createElement(tag), props); e.append(...children); return e; };
 const states = ["different", "missing", "unreadable", "failed", "nondeterministic", "orphan", "same"];
 const approvable = e => ["different", "missing", "unreadable"].includes(e.state);
-const marks = new Map();
+const store = "slipface snapshots " + DATA.checksum;
+const marks = new Map(JSON.parse(localStorage.getItem(store) || "[]"));
+// Each entry is listed below the first act that changed it.
+const rowOf = new Map();
+DATA.rows.forEach(row => row.entries.forEach(name => rowOf.has(name) || rowOf.set(name, row)));
+const place = e => rowOf.has(e.name) ? DATA.rows.indexOf(rowOf.get(e.name)) : DATA.rows.length;
 let filter = DATA.entries.some(e => e.state !== "same") ? "not the same" : "all", current = 0, mode = "side", showActual = true, threshold = 2, blinking = 0;
 
-const shown = () => DATA.entries.filter(e => (filter === "all" || (filter === "not the same" ? e.state !== "same" : e.state === filter)) && e.name.includes($("search").value));
+const matches = (e, text) => e.name.includes(text) || (rowOf.get(e.name)?.text || "").includes(text);
+const shown = () => DATA.entries.filter(e => (filter === "all" || (filter === "not the same" ? e.state !== "same" : e.state === filter)) && matches(e, $("search").value)).sort((a, b) => place(a) - place(b));
 const entry = () => shown()[current];
+const canApprove = row => row.entries.map(name => DATA.entries.find(e => e.name === name)).filter(approvable);
+const quoted = text => "'" + text.replaceAll("'", "'\\''") + "'";
 
 function command() {
   const chosen = [...marks].filter(([, m]) => m === "approve").map(([n]) => n);
+  const act = DATA.rows.find(row => canApprove(row).length > 3 && canApprove(row).length === chosen.length && canApprove(row).every(e => chosen.includes(e.name)));
+  if (act) return DATA.approve + " --act " + quoted(act.text);
   if (chosen.length) return DATA.approve + " " + chosen.join(" ");
   return DATA.entries.some(approvable) ? DATA.approve : "Nothing to approve";
 }
@@ -80,14 +95,25 @@ function drawFrame() {
   $("command").textContent = command();
 }
 function drawList() {
-  $("list").replaceChildren(...shown().map((e, i) => {
+  const list = shown(), parts = [];
+  list.forEach((e, i) => {
+    const row = rowOf.get(e.name);
+    if (row && (i === 0 || rowOf.get(list[i - 1].name) !== row)) {
+      const bar = el("div", {}, el("span", { className: "tag", textContent: row.word }), el("span", { className: "muted", textContent: row.entries.length === 1 ? "1 entry" : row.entries.length + " entries" }));
+      if (canApprove(row).length) bar.append(el("button", { textContent: "Approve all", className: "all", onclick: () => { canApprove(row).forEach(e => marks.set(e.name, "approve")); draw(); } }));
+      parts.push(el("section", { className: "act" }, el("p", { textContent: row.text }), bar));
+    }
     const mark = { approve: "✓", reject: "✗", skip: "–" }[marks.get(e.name)] || "";
-    const item = el("div", { className: "item" + (i === current ? " on" : ""), onclick: () => { current = i; draw(); } },
+    const item = el("button", { className: "item" + (i === current ? " on" : ""), onclick: () => { current = i; draw(); } },
       el("span", { className: "dot " + e.state, title: e.state }), el("span", { className: "name", textContent: e.name }), el("span", { className: "mark", textContent: mark }));
-    item.setAttribute("role", "option"); item.setAttribute("aria-selected", i === current);
-    return item;
-  }));
-  $("list").querySelector(".on")?.scrollIntoView({ block: "nearest" });
+    if (i === current) item.setAttribute("aria-current", "true");
+    parts.push(item);
+  });
+  const focused = document.activeElement?.classList.contains("item");
+  $("list").replaceChildren(...parts);
+  const on = $("list").querySelector(".on");
+  on?.scrollIntoView({ block: "nearest" });
+  if (focused) on?.focus();
 }
 function picture(src, caption) { return el("figure", {}, el("figcaption", { textContent: caption }), el("img", { src, alt: caption })); }
 const loaded = new Map();
@@ -123,6 +149,17 @@ function swipe(e) {
   requestAnimationFrame(() => { image.style.width = box.getBoundingClientRect().width + "px"; });
   return el("figure", {}, el("figcaption", { textContent: "Expected left of the line, actual right of it" }), box);
 }
+function onion(e) {
+  const over = el("img", { src: e.actual, alt: "actual", style: "opacity:.5" });
+  const slider = el("input", { type: "range", min: 0, max: 100, value: 50, ariaLabel: "Opacity of the actual image", oninput: event => { over.style.opacity = event.target.value / 100; } });
+  return el("figure", {}, el("figcaption", {}, "Expected below actual ", slider), el("div", { id: "onion" }, el("img", { src: e.expected, alt: "expected" }), over));
+}
+// The part around the window that differs most, eight times as large.
+function near(src, caption, e) {
+  const canvas = el("canvas", { className: "near", width: 96, height: 54 });
+  load(src).then(image => canvas.getContext("2d").drawImage(image, 40 - e.pixels.at[0], 19 - e.pixels.at[1]));
+  return el("figure", {}, el("figcaption", { textContent: caption + " at " + e.pixels.at.join(", ") }), canvas);
+}
 function drawStage() {
   clearInterval(blinking);
   const e = entry(), stage = $("stage");
@@ -132,6 +169,8 @@ function drawStage() {
     return;
   }
   if (mode === "side") stage.replaceChildren(picture(e.expected, "Expected"), picture(e.actual, "Actual"));
+  if (mode === "near") stage.replaceChildren(near(e.expected, "Expected", e), near(e.actual, "Actual", e));
+  if (mode === "onion") stage.replaceChildren(onion(e));
   if (mode === "swipe") stage.replaceChildren(swipe(e));
   if (mode === "blink") {
     const figure = picture(showActual ? e.actual : e.expected, showActual ? "Actual" : "Expected");
@@ -142,7 +181,7 @@ function drawStage() {
   }
   if (mode === "heat") {
     const canvas = el("canvas", { id: "heat" });
-    const slider = el("input", { type: "range", min: 0, max: 64, value: threshold, oninput: event => { threshold = +event.target.value; heat(canvas, e); } });
+    const slider = el("input", { type: "range", ariaLabel: "Threshold", min: 0, max: 64, value: threshold, oninput: event => { threshold = +event.target.value; heat(canvas, e); } });
     stage.replaceChildren(el("figure", {}, el("figcaption", {}, "Threshold ", slider, " ", el("span", { id: "count" })), canvas));
     heat(canvas, e);
   }
@@ -160,6 +199,7 @@ function showImages(name, images) {
 }
 function drawMain() {
   const e = entry(), main = $("main");
+  if (e) history.replaceState(null, "", "#" + encodeURIComponent(e.name));
   if (e?.script) document.head.append(el("script", { src: e.script.split("/").map(encodeURIComponent).join("/") }));
   if (!e) { main.replaceChildren(el("p", { className: "muted", textContent: "No snapshot here." })); return; }
   const parts = [el("h2", { textContent: e.name }), el("div", {}, el("span", { className: "tag", textContent: e.state }), " ", el("span", { className: "muted", textContent: e.pixels ? e.pixels.verdict : e.message }))];
@@ -167,7 +207,7 @@ function drawMain() {
   if (e.findings) parts.push(el("h3", { textContent: "Why" }), table(["Pixels", "Cause", "What"], e.findings.map(f => [f.pixels, el("span", { className: "tag", textContent: f.cause }), f.text])));
   if (e.expected || e.actual || e.first) {
     const tools = el("div", { id: "tools" });
-    if (e.expected && e.actual) for (const [m, t] of [["side", "1 Side by side"], ["swipe", "2 Swipe"], ["blink", "3 Blink"], ["heat", "4 Heat map"]])
+    if (e.expected && e.actual) for (const [m, t] of [["side", "1 Side by side"], ["swipe", "2 Swipe"], ["blink", "3 Blink"], ["heat", "4 Heat map"], ["onion", "5 Onion skin"], ["near", "d Difference"]])
       tools.append(el("button", { textContent: t, className: m === mode ? "on" : "", onclick: () => { mode = m; drawMain(); } }));
     tools.append(el("button", { textContent: "z Exact pixels", className: document.body.classList.contains("exact") ? "on" : "", onclick: exact }));
     if (approvable(e)) for (const [m, t] of [["approve", "a Approve"], ["reject", "r Reject"], ["skip", "s Skip"]])
@@ -179,22 +219,26 @@ function drawMain() {
   main.replaceChildren(...parts);
   drawStage();
 }
-function draw() { current = Math.max(0, Math.min(current, shown().length - 1)); drawFrame(); drawList(); drawMain(); }
+function draw() { localStorage.setItem(store, JSON.stringify([...marks])); current = Math.max(0, Math.min(current, shown().length - 1)); drawFrame(); drawList(); drawMain(); }
 function setMark(m) { const e = entry(); if (!e || !approvable(e)) return; marks.set(e.name, m); if (current < shown().length - 1) current++; draw(); }
 function exact() { document.body.classList.toggle("exact"); drawMain(); }
 const keys = {
   j: () => { current++; draw(); }, ArrowDown: () => { current++; draw(); }, k: () => { current--; draw(); }, ArrowUp: () => { current--; draw(); },
   a: () => setMark("approve"), r: () => setMark("reject"), s: () => setMark("skip"), z: exact, c: () => $("copy").click(),
   1: () => { mode = "side"; drawMain(); }, 2: () => { mode = "swipe"; drawMain(); }, 3: () => { mode = "blink"; drawMain(); }, 4: () => { mode = "heat"; drawMain(); },
+  5: () => { mode = "onion"; drawMain(); }, d: () => { mode = mode === "near" ? "side" : "near"; drawMain(); },
   " ": () => { if (mode !== "blink") { mode = "blink"; drawMain(); } else { clearInterval(blinking); $("stage").flip?.(); } },
 };
 document.addEventListener("keydown", event => {
   if (event.target.tagName === "INPUT" && event.target.type !== "range") { if (event.key === "Escape") event.target.blur(); return; }
   if (event.ctrlKey || event.metaKey || event.altKey || !(event.key in keys)) return;
+  if (event.key === " " && event.target.tagName === "BUTTON" && !event.target.classList.contains("item")) return;
   event.preventDefault(); keys[event.key]();
 });
 $("search").oninput = () => { current = 0; draw(); };
 $("copy").onclick = () => { const range = document.createRange(); range.selectNodeContents($("command")); getSelection().removeAllRanges(); getSelection().addRange(range); navigator.clipboard?.writeText(command()).catch(() => {}); };
+const linked = shown().findIndex(e => "#" + encodeURIComponent(e.name) === location.hash);
+if (linked >= 0) current = linked;
 draw();
 </script></body></html>
 )html";

@@ -3,12 +3,12 @@
 //   "widgets": { "Toolbar/Paint": [x, y, width, height], ... }     pixels from the upper left corner
 #pragma once
 
-#include "goldens/golden.h"
+#include "goldens/explain.h"
 
 namespace slipface {
 
-// Names the widgets that look different, moved, appeared or disappeared; most pixels first. For
-// Snapshot::explain.
-std::vector<Finding> explain_widgets(const ExplainRequest& request);
+// Names the widgets that look different, moved, appeared or disappeared; most pixels first. The images have
+// one size.
+std::vector<Finding> explain_widgets(const Difference& difference);
 
 }  // namespace slipface

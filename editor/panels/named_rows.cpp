@@ -2,6 +2,7 @@
 
 #include <imgui_internal.h>
 
+#include "panels/panel_memory.h"
 #include "tools/commands/icons.h"
 #include "widgets/imgui_compat.h"
 #include "widgets/theme.h"
@@ -53,6 +54,10 @@ bool row_button(const char* icon, const char* name, const char* tooltip, float x
 }
 
 }  // namespace
+
+void forget_renaming() {
+    renaming() = {};
+}
 
 NamedRowResult named_row(std::size_t index, const NamedRow& row,
                          const std::function<std::string(const std::string&)>& problem) {

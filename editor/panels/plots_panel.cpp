@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "panels/lab_track.h"
+#include "panels/panel_memory.h"
 #include "slipface/sim/channels.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -20,15 +21,17 @@ struct Shown {
     bool differences = false;  // from the recorded run, instead of the values
 };
 
+Shown usual_plots() {
+    Shown first;
+    for (std::size_t i = 0; i < run_channels().size(); ++i) {
+        const std::string_view name = run_channels()[i].name;
+        if (name == "speed" || name == "height" || name == "energy") first.channels |= 1u << i;
+    }
+    return first;
+}
+
 Shown& shown() {
-    static Shown state = [] {
-        Shown first;
-        for (std::size_t i = 0; i < run_channels().size(); ++i) {
-            const std::string_view name = run_channels()[i].name;
-            if (name == "speed" || name == "height" || name == "energy") first.channels |= 1u << i;
-        }
-        return first;
-    }();
+    static Shown state = usual_plots();
     return state;
 }
 
@@ -155,6 +158,10 @@ void plot(Editor& editor, const RunChannel& channel, float height) {
 }
 
 }  // namespace
+
+void forget_plots() {
+    shown() = usual_plots();
+}
 
 void plots_panel(Editor& editor) {
     if (!editor.document) return;

@@ -26,13 +26,19 @@ ImVec4 color_of(const Review& review, std::size_t index) {
 
 void list(Editor& editor) {
     Review& review = *editor.review;
-    const float height =
-        std::min(static_cast<float>(review.shown.size()), 9.0f) * ImGui::GetTextLineHeightWithSpacing() +
-        2.0f * ImGui::GetStyle().WindowPadding.y;
+    const float height = std::min(static_cast<float>(review.shown.size() + review.acts.size()), 11.0f) *
+                             ImGui::GetTextLineHeightWithSpacing() +
+                         2.0f * ImGui::GetStyle().WindowPadding.y;
     ImGui::BeginChild("entries", {0, height}, true, ImGuiWindowFlags_NoSavedSettings);
     std::optional<std::size_t> wanted;
     for (std::size_t i = 0; i < review.shown.size(); ++i) {
         const GoldenResult& entry = review.report.entries[review.shown[i]];
+        if (i == 0 || review.act_of[i] != review.act_of[i - 1]) {
+            const ActRow& act = review.acts[review.act_of[i]];
+            ImGui::PushTextWrapPos(0.0f);
+            ImGui::TextUnformatted((act.word + ": " + act.text).c_str());
+            ImGui::PopTextWrapPos();
+        }
         ImGui::PushStyleColor(ImGuiCol_Text, color_of(review, i));
         ImGui::TextUnformatted(review.marks[i] == ReviewMark::approved   ? "+"
                                : review.marks[i] == ReviewMark::rejected ? "x"
@@ -53,6 +59,11 @@ void decide(Editor& editor) {
     if (ui::primary_button("Approve", review_can_approve(editor), none))
         return review_mark(editor, ReviewMark::approved);
     ImGui::SameLine();
+    const ActRow& act = editor.review->acts[editor.review->act_of[editor.review->current]];
+    if (act.entries.size() > 1 &&
+        ui::button("Approve act", "Approve all that this act changed", review_can_approve(editor)))
+        return review_approve_act(editor);
+    if (act.entries.size() > 1) ImGui::SameLine();
     if (ui::button("Reject", "Reject it and go to the next (Alt+R)"))
         return review_mark(editor, ReviewMark::rejected);
     ImGui::SameLine();

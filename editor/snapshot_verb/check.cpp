@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/exit_codes.h"
@@ -54,18 +55,26 @@ Result<Chosen> chosen_names(const CheckArguments& arguments, const SuiteSet& set
     return mine;
 }
 
-void print_entry(const GoldenResult& entry, const char* word) {
-    fmt::print("{:<17} {}{}{}\n", word, entry.name, entry.message.empty() ? "" : "  ", entry.message);
-    for (const Finding& finding : entry.findings)
-        fmt::print("{:<17} {:>8} px  {}: {}\n", "", finding.pixels, cause_name(finding.cause), finding.text);
+void print_line(const std::string& word, const std::string& text) {
+    fmt::print("{:<17} {}\n", word, text);
     std::fflush(stdout);
 }
 
+// While it runs: one line for what passes and, for what does not, the name alone; the acts come at the end.
 void print_progress(const CheckArguments& arguments, const GoldenResult& entry) {
-    if (entry.state != GoldenState::same || !entry.matched.empty())
-        return print_entry(entry, golden_state_name(entry.state));
-    if (!arguments.quiet) fmt::print("{:<17} {}\n", "same", entry.name);
-    std::fflush(stdout);
+    const bool same = entry.state == GoldenState::same;
+    if (same && !entry.matched.empty())
+        print_line("same", entry.name + "  " + entry.message);
+    else if (!arguments.quiet)
+        print_line(golden_state_name(entry.state), entry.name);
+}
+
+// One row per act.
+void print_acts(const Report& report) {
+    for (const ActRow& row : act_rows(report)) {
+        print_line(row.word, row.text);
+        print_line("", entries_text(report, row));
+    }
 }
 
 void add_orphans(const CheckArguments& arguments, const SuiteSet& set, Report& report) {
@@ -77,7 +86,6 @@ void add_orphans(const CheckArguments& arguments, const SuiteSet& set, Report& r
         orphan.name = name;
         orphan.state = GoldenState::orphan;
         orphan.message = "no snapshot makes this golden; `slipface snapshot approve --prune` removes it";
-        print_entry(orphan, "orphan");
         report.entries.push_back(std::move(orphan));
     }
 }
@@ -95,12 +103,24 @@ void print_timing(const Report& report, int jobs) {
         drawing > 0.0 ? all / drawing : 0.0);
 }
 
+// GitHub shows this file's text on the page of the run.
+void write_step_summary(const Report& report) {
+    const char* const path = std::getenv("GITHUB_STEP_SUMMARY");
+    if (path == nullptr || report.failed() == 0) return;
+    std::ofstream file(path, std::ios::app);
+    file << "| cause | act | what it changed |\n|---|---|---|\n";
+    for (const ActRow& row : act_rows(report))
+        file << "| " << row.word << " | " << row.text << " | " << entries_text(report, row) << " |\n";
+}
+
 int finish(const CheckArguments& arguments, Report& report) {
     sort_by_severity(report);
     const fs::path out = arguments.work.out;
     if (Status status = write_report(report, out); !status) return bad_input(status.error());
+    print_acts(report);
     if (!report_to_annotations(report).empty() && std::getenv("GITHUB_ACTIONS") != nullptr)
         fmt::print("{}", report_to_annotations(report));
+    write_step_summary(report);
     fmt::print("{} same, {} failed\n", report.count(GoldenState::same), report.failed());
     if (arguments.timing) print_timing(report, arguments.work.jobs);
     if (report.failed() > 0) {
@@ -178,7 +198,8 @@ int snapshot_compare(const CheckArguments& arguments) {
     report.suite = chosen->suite;
     for (const std::string& name : chosen->names) {
         const Result<Snapshot> snapshot = studio.find(name);
-        const Result<Image> image = load_image(fs::path(arguments.actual) / (name + ".png"));
+        const Result<Image> image =
+            is_input(name) ? Image() : load_image(fs::path(arguments.actual) / (name + ".png"));
         GoldenResult entry;
         entry.name = name;
         entry.state = GoldenState::failed;
@@ -206,7 +227,7 @@ int snapshot_render(const CheckArguments& arguments) {
         do_all_work(arguments.work, *set, chosen->names, [&](const GoldenResult& entry) {
             fine = fine && entry.state == GoldenState::same;
             if (entry.state != GoldenState::same)
-                print_entry(entry, "FAILED");
+                print_line("FAILED", entry.name + "  " + entry.message);
             else if (!arguments.quiet)
                 fmt::print("{}\n", entry.message);
             report.entries.push_back(entry);
@@ -217,7 +238,7 @@ int snapshot_render(const CheckArguments& arguments) {
     if (arguments.sheet) {
         std::vector<std::pair<std::string, fs::path>> images;
         for (const std::string& name : chosen->names)
-            images.emplace_back(name, fs::path(arguments.work.out) / (name + ".png"));
+            if (!is_input(name)) images.emplace_back(name, fs::path(arguments.work.out) / (name + ".png"));
         const auto sheets = write_sheets(images, arguments.work.out);
         if (!sheets) return bad_input(sheets.error());
         for (const fs::path& sheet : *sheets)
@@ -230,8 +251,6 @@ int snapshot_merge(const std::vector<std::string>& reports, const CheckArguments
     const std::vector<fs::path> files(reports.begin(), reports.end());
     Result<Report> merged = merge_reports(files, arguments.work.out);
     if (!merged) return bad_input(merged.error());
-    for (const GoldenResult& entry : merged->entries)
-        if (entry.state != GoldenState::same) print_entry(entry, golden_state_name(entry.state));
     return finish(arguments, *merged);
 }
 

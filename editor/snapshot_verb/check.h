@@ -11,6 +11,7 @@ struct CheckArguments {
     std::string shard;              // "2/4"
     std::string actual;             // compare: folder of images rendered earlier
     std::string from;               // approve, review: a report.json
+    std::string act;                // approve: only what this act changed, with * and ?
     std::string reason;
     bool detailed = false;  // use the finer exit codes
     bool timing = false, quiet = false;

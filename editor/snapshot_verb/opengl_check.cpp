@@ -123,7 +123,8 @@ int check_opengl_part(const std::string& folder) {
     const auto scenes = parse_scene_suite(yard_suite, out / "yard.json");
     if (!scenes) return fail(scenes.error());
     for (const char* name : {"first.png", "second.png"}) {
-        SceneStage stage(**context);  // a new stage, as another run would have
+        InputBook book(out);
+        SceneStage stage(**context, book);  // a new stage, as another run would have
         const Result<Rendering> rendering = stage.render(scenes->front());
         if (!rendering) return fail(rendering.error());
         if (Status status = save_png(out / name, rendering->image); !status) return fail(status.error());

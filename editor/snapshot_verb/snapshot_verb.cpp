@@ -122,6 +122,7 @@ void add_approve_verb(CLI::App& group, int& exit_code) {
     add_suite(*verb, approve);
     verb->add_option("name", approve->only, "Names, with * and ?; none: all");
     verb->add_option("--from", approve->from, "A report.json: approve that check's images without rendering");
+    verb->add_option("--act", approve->act, "With --from: only what this act changed, with * and ?");
     verb->add_option("--jobs", approve->work.jobs, "Processes at a time")
         ->capture_default_str()
         ->check(CLI::Range(1, 256));

@@ -83,20 +83,27 @@ Result<SuiteSet> load_suite_set(const SuiteArguments& arguments) {
     if (!expanded) return expanded.error();
     SuiteSet set;
     set.scenes = *std::move(expanded);
+    set.book = std::make_shared<InputBook>(fs::weakly_canonical(arguments.goldens, error).parent_path());
     if (arguments.levels.empty() && arguments.suites.empty())
-        set.screens = screen_snapshots(fs::path(arguments.goldens) / "editor");
+        set.screens = screen_snapshots(fs::path(arguments.goldens) / "editor", *set.book);
     std::set<fs::path> files(arguments.suites.begin(), arguments.suites.end()), levels;
     for (const Scene& scene : set.scenes) {
         set.names.push_back(scene.name);
+        set.inputs[scene.name] = scene_inputs(scene, *set.book);
         levels.insert(scene.level);
         if (scene.tape) files.insert(*scene.tape);
     }
     for (const Snapshot& screen : set.screens) {
         set.names.push_back(screen.name);
+        set.inputs[screen.name] = screen.inputs;
         files.insert(fs::path(arguments.goldens) / (screen.name + ".script"));
     }
     if (arguments.levels.empty() && arguments.suites.empty())
         files.insert(fs::path(arguments.goldens) / "scenes.json");
+    // Images of levels that the command line names have no goldens, so their inputs have none.
+    if (arguments.levels.empty())
+        for (std::string& name : set.book->names())
+            set.names.push_back(std::move(name));
     std::set<fs::path> folders;
     for (const fs::path& level : levels) {
         for (const fs::path& file : files_of_level(level).files)
@@ -112,13 +119,14 @@ Result<SuiteSet> load_suite_set(const SuiteArguments& arguments) {
 Result<Snapshot> Studio::find(const std::string& name) {
     for (const Snapshot& screen : set_.screens)
         if (screen.name == name) return screen;
+    if (is_input(name)) return set_.book->snapshot(name);
     if (scenes_.empty() && !set_.scenes.empty()) {
         Result<std::unique_ptr<OffscreenContext>> context = make_offscreen_context();
         if (!context) return context.error();
         context_ = *std::move(context);
         renderer_ = renderer_line(*context_);
-        stage_ = std::make_shared<SceneStage>(*context_);
-        for (Snapshot& snapshot : scene_snapshots(set_.scenes, stage_))
+        stage_ = std::make_shared<SceneStage>(*context_, *set_.book);
+        for (Snapshot& snapshot : scene_snapshots(set_.scenes, stage_, *set_.book))
             scenes_.emplace(snapshot.name, snapshot);
     }
     const auto found = scenes_.find(name);

@@ -30,7 +30,9 @@ struct SuiteArguments {
 struct SuiteSet {
     std::vector<Scene> scenes;  // cameras expanded
     std::vector<Snapshot> screens;
-    std::vector<std::string> names;  // scenes first, grouped by level
+    std::shared_ptr<InputBook> book;                         // what they are made from, by meaning
+    std::map<std::string, std::vector<std::string>> inputs;  // of each scene and screen
+    std::vector<std::string> names;                          // scenes first, grouped by level; inputs last
     // What they are made from: suites, scripts, levels with their textures, tapes. Sorted.
     std::vector<std::filesystem::path> files;
 };

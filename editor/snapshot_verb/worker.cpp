@@ -44,11 +44,12 @@ GoldenResult failed(const std::string& name, const std::string& why) {
 GoldenResult render_to_folder(const Snapshot& snapshot, const fs::path& out) {
     const Result<Rendering> rendering = snapshot.render();
     if (!rendering) return failed(snapshot.name, rendering.error().text());
-    const fs::path path = out / (snapshot.name + ".png");
+    const fs::path path = out / (snapshot.name + (is_input(snapshot.name) ? ".json" : ".png"));
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
-    if (Status status = save_png(path, rendering->image); !status)
-        return failed(snapshot.name, status.error().text());
+    if (!is_input(snapshot.name))
+        if (Status status = save_png(path, rendering->image); !status)
+            return failed(snapshot.name, status.error().text());
     if (!rendering->numbers.empty()) {
         const fs::path numbers = out / (snapshot.name + ".json");
         if (Status status = write_file_atomic(numbers, rendering->numbers); !status)
@@ -64,12 +65,16 @@ GoldenResult render_to_folder(const Snapshot& snapshot, const fs::path& out) {
 GoldenResult approve(const Snapshot& snapshot, const WorkArguments& arguments) {
     const Result<Rendering> rendering = snapshot.render();
     if (!rendering) return failed(snapshot.name, rendering.error().text());
-    const bool software =
-        rendering->numbers.empty() || rendering->numbers.find("llvmpipe") != std::string::npos;
+    const bool software = is_input(snapshot.name) || rendering->numbers.empty() ||
+                          rendering->numbers.find("llvmpipe") != std::string::npos;
     if (!software && !arguments.any_renderer)
         return failed(snapshot.name,
                       "not rendered by Mesa's llvmpipe: other machines give other pixels (use --any-renderer "
                       "to approve it)");
+    const Result<Rendering> again = snapshot.render();
+    if (!again) return failed(snapshot.name, again.error().text());
+    if (const std::string unstable = what_repeats_otherwise(snapshot, *rendering, *again); !unstable.empty())
+        return failed(snapshot.name, unstable + "; mask what changes by itself, or make it stand still");
     const auto written =
         approve_golden(arguments.suite.goldens, snapshot, *rendering,
                        {.force = arguments.force, .packed = !arguments.quick, .here = arguments.here});

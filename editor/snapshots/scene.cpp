@@ -6,12 +6,10 @@
 #include <memory>
 
 #include "goldens/camera_names.h"
-#include "goldens/level_digest.h"
-#include "slipface/base/files.h"
-#include "slipface/level/level_file.h"
 #include "slipface/scenes/demo.h"
 #include "slipface/view/camera.h"
-#include "snapshots/explain.h"
+#include "snapshots/scene_camera.h"
+#include "snapshots/scene_movement.h"
 #include "snapshots/scene_stage.h"
 
 namespace slipface {
@@ -67,49 +65,33 @@ bool wants_grid(const Scene& scene) {
     return scene.grid || (name != nullptr && *name == "auto:map");
 }
 
-// The settings that the golden's numbers name, the others as in basic_settings(), and its tape.
-std::optional<RecordedMovement> movement_of(const Numbers& numbers) {
-    const auto movement = numbers.find("movement");
-    if (movement == numbers.end() || !movement->is_object() || !movement->contains("settings"))
-        return std::nullopt;
-    RecordedMovement recorded{basic_settings(), std::nullopt};
-    for (const auto& [name, value] : (*movement)["settings"].items())
-        if (value.is_string())
-            (void)set_setting(recorded.settings, fmt::format("{}={}", name, value.get<std::string>())).ok();
-    recorded.tape = recorded_tape(numbers);
-    return recorded;
-}
-
-std::optional<Vec3> vec3_of(const Numbers& object, const char* key) {
-    const auto list = object.find(key);
-    if (list == object.end() || !list->is_array() || list->size() != 3) return std::nullopt;
-    Vec3 v;
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (!(*list)[i].is_number()) return std::nullopt;
-        v[static_cast<Eigen::Index>(i)] = (*list)[i].get<double>();
+// The row of the suite by meaning, whatever order and words it was written in.
+Numbers row_json(const Scene& scene) {
+    Numbers row = {
+        {"kind", "row"}, {"size", Numbers::array({scene.width, scene.height})}, {"style", style_text(scene)}};
+    if (const auto* camera = std::get_if<Camera>(&scene.camera))
+        row["camera"] = {
+            {"eye", json_of(camera->eye)}, {"target", json_of(camera->target)}, {"fov_y", camera->fov_y}};
+    else
+        row["camera"] = std::get<std::string>(scene.camera);
+    if (scene.probe) {
+        row["probe"] = {{"from", scene.probe->from ? json_of(*scene.probe->from) : Numbers("spawn")},
+                        {"move", json_of(scene.probe->move)}};
+        if (scene.probe->radii) row["probe"]["radii"] = json_of(*scene.probe->radii);
+        if (!scene.probe->settings.empty()) row["probe"]["settings"] = scene.probe->settings;
     }
-    return v.allFinite() ? std::optional(v) : std::nullopt;
-}
-
-// The golden's camera; members that its numbers lack are those of today's camera.
-Camera camera_of(const Numbers& numbers, Camera camera) {
-    const auto json = numbers.find("camera");
-    if (json == numbers.end() || !json->is_object()) return camera;
-    camera.eye = vec3_of(*json, "eye").value_or(camera.eye);
-    camera.target = vec3_of(*json, "target").value_or(camera.target);
-    const auto number = [&](const char* key, double& to) {
-        if (json->contains(key) && (*json)[key].is_number()) to = (*json)[key].get<double>();
-        return json->contains(key);
-    };
-    camera.orthographic = number("ortho_height", camera.ortho_height);
-    number("fov_y", camera.fov_y);
-    return camera;
+    if (!scene.settings.empty()) row["settings"] = scene.settings;
+    row["profile"] = scene.tolerance.pixel_delta == ui_tolerance.pixel_delta ? "ui" : "scene";
+    row["masks"] = Numbers::array();
+    for (const MaskRect& mask : scene.masks)
+        row["masks"].push_back(Numbers::array({mask.x, mask.y, mask.width, mask.height}));
+    return row;
 }
 
 }  // namespace
 
 struct SceneStage::Impl {
-    explicit Impl(OffscreenContext& of) : context(of) {}
+    Impl(OffscreenContext& of, InputBook& inputs) : context(of), book(inputs) {}
 
     struct OnStage {
         std::unique_ptr<StagedLevel> staged;
@@ -117,6 +99,7 @@ struct SceneStage::Impl {
     };
 
     OffscreenContext& context;
+    InputBook& book;
     std::map<std::filesystem::path, OnStage> levels;
     double finished_drawing_s = 0.0;
 
@@ -142,31 +125,10 @@ struct SceneStage::Impl {
         if (wants_grid(scene)) draw_grid(overlay, on_stage.staged->level.mesh.bounds());
         return on_stage.painter->image(camera, scene.width, scene.height, scene.style, &overlay);
     }
-
-    // The level as it was approved.
-    OnStage stage_before(const StagedLevel& now, const Numbers& golden,
-                         const std::filesystem::path& goldens) {
-        OnStage before;
-        const auto level = golden.find("level");
-        if (level == golden.end() || !level->is_object()) return before;
-        const std::string name = level->value("digest", std::string());
-        if (!valid_snapshot_name(name)) return before;
-        const std::filesystem::path path = goldens / "levels" / (name + ".digest");
-        const Result<std::string> bytes = read_file(path, std::uint64_t{64} << 20U);
-        if (!bytes) return before;
-        Result<Level> old = decode_digest(*bytes, path.string());
-        if (!old) return before;
-        old->mesh_path = now.level.mesh_path;
-        old->file_path = now.level.file_path;
-        (void)load_terrain(*old).ok();  // on an error there is no terrain, and the path differs
-        Result<std::unique_ptr<StagedLevel>> staged = stage_level(*std::move(old));
-        if (staged) before.staged = *std::move(staged);
-        if (before.staged) before.staged->tape = now.tape;
-        return before;
-    }
 };
 
-SceneStage::SceneStage(OffscreenContext& context) : impl_(std::make_unique<Impl>(context)) {}
+SceneStage::SceneStage(OffscreenContext& context, InputBook& book)
+    : impl_(std::make_unique<Impl>(context, book)) {}
 SceneStage::~SceneStage() = default;
 
 double SceneStage::drawing_s() const {
@@ -187,58 +149,13 @@ Result<Rendering> SceneStage::render(const Scene& scene) {
     Result<Image> image = impl_->draw(scene, on_stage, *camera, story->overlay);
     if (!image) return at_scene(scene, "", image.error());
     Numbers numbers;
-    numbers["version"] = 1;
-    numbers["image"] = {{"width", scene.width}, {"height", scene.height}, {"style", style_text(scene)}};
+    numbers["version"] = numbers_version;
+    numbers["row"] = row_json(scene);
     numbers["camera"] = camera_json(scene, *camera);
-    numbers["level"] = on_stage.staged->numbers;
     if (!story->numbers.is_null()) numbers["movement"] = story->numbers;
+    numbers["inputs"] = Numbers::parse(inputs_json(scene_inputs(scene, impl_->book), impl_->book));
     numbers["renderer"] = Numbers::parse(renderer_fingerprint(impl_->context));
     return Rendering{*std::move(image), numbers_text(numbers)};
-}
-
-std::vector<Finding> SceneStage::explain(const Scene& scene, const ExplainRequest& request) {
-    const Result<Impl::OnStage*> found = impl_->find(scene);
-    const Numbers golden = Numbers::parse(request.expected_numbers, nullptr, false);
-    if (!found || !golden.is_object()) return explain_numbers(request, 0);
-    const Impl::OnStage& now = **found;
-    const Result<SceneMovement> story = run_movement(scene, *now.staged);
-    const Result<Camera> camera = story ? scene_camera(scene, *now.staged, *story) : story.error();
-    if (!camera) return explain_numbers(request, 0);
-
-    Impl::OnStage old = impl_->stage_before(*now.staged, golden, request.goldens);
-    Result<SceneMovement> old_story = SceneMovement{};
-    if (old.staged) old_story = run_movement(scene, *old.staged, movement_of(golden));
-    const SceneSide before{old.staged.get(), old_story ? &*old_story : nullptr, camera_of(golden, *camera)};
-    const SceneSide after{now.staged.get(), &*story, *camera};
-    const auto draw = [&](const SceneSide& side, bool with_overlay, bool lit) -> Image {
-        const bool is_old = side.staged == old.staged.get();
-        if (is_old && !old.painter) {
-            Result<std::unique_ptr<LevelPainter>> painter =
-                LevelPainter::make(impl_->context, old.staged->level);
-            if (!painter) return {};
-            old.painter = *std::move(painter);
-        }
-        const Impl::OnStage& on_stage = is_old ? old : now;
-        Camera fitted = side.camera;
-        const double aspect = static_cast<double>(scene.width) / scene.height;
-        fit_depth_range(fitted, *on_stage.staged, side.story->overlay, aspect);
-        LevelStyle style = scene.style;
-        style.baked_light = style.baked_light && lit;
-        const Result<Image> image = on_stage.painter->image(fitted, scene.width, scene.height, style,
-                                                            with_overlay ? &side.story->overlay : nullptr);
-        return image ? *image : Image{};
-    };
-    return explain_scene({scene, request, before, after, draw});
-}
-
-Result<Attachment> SceneStage::digest(const Scene& scene) {
-    const Result<Impl::OnStage*> found = impl_->find(scene);
-    if (!found) return found.error();
-    const StagedLevel& staged = *(*found)->staged;
-    if (staged.digest.empty()) return Attachment{};
-    Result<std::string> bytes = encode_digest(staged.level);
-    if (!bytes) return bytes.error();
-    return Attachment{"levels/" + staged.digest + ".digest", *std::move(bytes)};
 }
 
 namespace {
@@ -307,16 +224,29 @@ Result<std::vector<Scene>> expand_suite(const std::vector<Scene>& scenes) {
     return expanded;
 }
 
+std::vector<std::string> scene_inputs(const Scene& scene, InputBook& book) {
+    std::vector<std::string> inputs{book.add(scene.level)};
+    if (scene.tape) inputs.push_back(book.add(*scene.tape));
+    return inputs;
+}
+
+std::string inputs_json(const std::vector<std::string>& inputs, InputBook& book) {
+    Numbers json = Numbers::object();
+    for (const std::string& name : inputs) {
+        const Result<Input> input = book.read(name);
+        json[name] = input ? input_mark(input->facts, input->bytes) : "";
+    }
+    return json.dump();
+}
+
 std::vector<Snapshot> scene_snapshots(const std::vector<Scene>& scenes,
-                                      const std::shared_ptr<SceneStage>& stage) {
+                                      const std::shared_ptr<SceneStage>& stage, InputBook& book) {
     std::vector<Snapshot> snapshots;
     for (const Scene& scene : scenes) {
         Snapshot snapshot{scene.name, scene.tolerance, [scene, stage] { return stage->render(scene); }};
         snapshot.masks = scene.masks;
-        snapshot.explain = [scene, stage](const ExplainRequest& request) {
-            return stage->explain(scene, request);
-        };
-        snapshot.attachment = [scene, stage] { return stage->digest(scene); };
+        snapshot.inputs = scene_inputs(scene, book);
+        snapshot.input = [&book](const std::string& name) { return book.read(name); };
         snapshots.push_back(std::move(snapshot));
     }
     return snapshots;

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "slipface/base/hash.h"
-#include "slipface/base/text.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/level_scene.h"
 #include "slipface/render/trace_overlay.h"
@@ -16,7 +14,7 @@ namespace {
 
 constexpr Color path_color{1.0f, 0.80f, 0.30f, 1.0f};
 constexpr Color end_color{1.0f, 0.66f, 0.22f, 0.9f};
-constexpr std::size_t max_samples = 33, max_events = 64, max_contacts = 12, max_tape_lines = 2000;
+constexpr std::size_t max_samples = 33, max_events = 64, max_contacts = 12;
 
 Error at_scene(const Scene& scene, const std::string& key, const Error& error) {
     return {scene.location + key, error.text()};
@@ -31,13 +29,6 @@ Status apply_all(MovementSettings& settings, const std::vector<std::string>& ass
     return {};
 }
 
-Numbers settings_json(const MovementSettings& settings) {
-    Numbers json = Numbers::object();
-    for (const SettingInfo& info : settings_table())
-        json[info.name] = setting_text(settings, info);
-    return json;
-}
-
 std::string surface_name(const Level& level, SurfaceId surface) {
     return surface < level.surfaces.size() ? level.surfaces[surface].name : "default";
 }
@@ -45,7 +36,6 @@ std::string surface_name(const Level& level, SurfaceId surface) {
 Numbers contact_json(const SweepRecord& sweep, const Level& level) {
     Numbers json;
     json["t"] = sweep.contact->t;
-    json["face"] = sweep.contact->face;
     json["surface"] = surface_name(level, sweep.contact->surface);
     json["feature"] = feature_name(sweep.contact->feature);
     json["point"] = json_of(sweep.contact->point);
@@ -53,13 +43,11 @@ Numbers contact_json(const SweepRecord& sweep, const Level& level) {
     return json;
 }
 
-Status run_probe(const Scene& scene, const StagedLevel& staged, SceneMovement& story, bool fixed_settings) {
+Status run_probe(const Scene& scene, const StagedLevel& staged, SceneMovement& story) {
     MovementSettings& settings = story.settings;
-    if (!fixed_settings) {
-        if (Status status = apply_all(settings, scene.probe->settings, scene, "/probe/settings"); !status)
-            return status;
-        if (scene.probe->radii) settings.radii = *scene.probe->radii;
-    }
+    if (Status status = apply_all(settings, scene.probe->settings, scene, "/probe/settings"); !status)
+        return status;
+    if (scene.probe->radii) settings.radii = *scene.probe->radii;
     const Vec3 from = scene.probe->from.value_or(staged.level.spawn);
     TraceRecorder trace;
     const SlideResult end =
@@ -107,40 +95,24 @@ Numbers tape_json(const SceneMovement& story, const SimulationReport& report) {
     Numbers hashes = Numbers::array();
     for (const std::uint64_t hash : report.second_hashes)
         hashes.push_back(hex_text(hash));
-    Hasher inputs;
-    const std::string text = tape_to_text(story.tape);
-    inputs.text(text);
-    Numbers json = {{"ticks", report.ticks},
-                    {"inputs", hex_text(inputs.value())},
-                    {"distance", report.distance},
-                    {"end", json_of(report.final_state.position)},
-                    {"events", events},
-                    {"samples", samples},
-                    {"hashes", hashes}};
-    const std::vector<std::string_view> lines = split(text, '\n');
-    if (lines.size() <= max_tape_lines) json["lines"] = lines;
-    return json;
+    return {
+        {"ticks", report.ticks}, {"distance", report.distance}, {"end", json_of(report.final_state.position)},
+        {"events", events},      {"samples", samples},          {"hashes", hashes}};
 }
 
-Status run_tape(const Scene& scene, const StagedLevel& staged, SceneMovement& story,
-                const std::optional<RecordedMovement>& recorded) {
-    if (recorded && recorded->tape) {
-        story.tape = *recorded->tape;
-    } else if (scene.tape) {
+Status run_tape(const Scene& scene, const StagedLevel& staged, SceneMovement& story) {
+    if (scene.tape) {
         Result<Tape> tape = load_tape(*scene.tape);
         if (!tape) return at_scene(scene, "/tape", tape.error());
         story.tape = *std::move(tape);
     } else {
         story.tape = *staged.tape;
     }
-    if (!recorded) {
-        if (Status status = apply_tape_settings(story.settings, story.tape,
-                                                (scene.tape ? scene.tape->string() : "the demo's tape"));
-            !status)
-            return at_scene(scene, "/tape", status.error());
-        if (Status status = apply_all(story.settings, scene.settings, scene, "/settings"); !status)
-            return status;
-    }
+    if (Status status = apply_tape_settings(story.settings, story.tape,
+                                            (scene.tape ? scene.tape->string() : "the demo's tape"));
+        !status)
+        return at_scene(scene, "/tape", status.error());
+    if (Status status = apply_all(story.settings, scene.settings, scene, "/settings"); !status) return status;
     Result<LevelScene> level_scene = LevelScene::borrow(staged.level, staged.collision, story.settings);
     if (!level_scene) return at_scene(scene, "/level", level_scene.error());
     if (story.tape.start) {
@@ -164,21 +136,17 @@ Status run_tape(const Scene& scene, const StagedLevel& staged, SceneMovement& st
 
 }  // namespace
 
-Result<SceneMovement> run_movement(const Scene& scene, const StagedLevel& staged,
-                                   const std::optional<RecordedMovement>& recorded) {
+Result<SceneMovement> run_movement(const Scene& scene, const StagedLevel& staged) {
     SceneMovement story;
     const bool has_tape = scene.tape || staged.tape;
     if (!scene.probe && !has_tape) return story;
-    story.settings = recorded ? recorded->settings : staged.level.movement;
-    story.numbers["settings"] = nullptr;
+    story.settings = staged.level.movement;
     if (scene.probe) {
-        if (Status status = run_probe(scene, staged, story, recorded.has_value()); !status)
-            return status.error();
+        if (Status status = run_probe(scene, staged, story); !status) return status.error();
     }
     if (has_tape) {
-        if (Status status = run_tape(scene, staged, story, recorded); !status) return status.error();
+        if (Status status = run_tape(scene, staged, story); !status) return status.error();
     }
-    story.numbers["settings"] = settings_json(story.settings);
     return story;
 }
 
@@ -201,15 +169,6 @@ std::vector<MovementContact> movement_contacts(const SceneMovement& story) {
         contacts.push_back({feet, state.ground_normal, state.ground_face});
     }
     return contacts;
-}
-
-PlayerInput input_at(const Tape& tape, std::size_t tick) {
-    for (const TapeSegment& segment : tape.segments) {
-        const auto ticks = static_cast<std::size_t>(std::max(segment.ticks, 0));
-        if (tick < ticks) return segment.input;
-        tick -= ticks;
-    }
-    return {};
 }
 
 }  // namespace slipface

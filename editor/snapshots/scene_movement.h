@@ -23,16 +23,8 @@ struct SceneMovement {
     std::vector<PlayerState> states;  // [tick]
 };
 
-// What a golden's numbers say of the run: settings that replace the level's, the scene's and the tape's, and
-// the tape itself if they hold it.
-struct RecordedMovement {
-    MovementSettings settings;
-    std::optional<Tape> tape;
-};
-
-// Runs the scene's probe and tape, or those that were recorded.
-Result<SceneMovement> run_movement(const Scene& scene, const StagedLevel& staged,
-                                   const std::optional<RecordedMovement>& recorded = std::nullopt);
+// Runs the scene's probe and tape.
+Result<SceneMovement> run_movement(const Scene& scene, const StagedLevel& staged);
 
 // The contacts of the movement, at most 12: those of the probe, then those where the tape's player lands or
 // touches a new surface type.
@@ -42,7 +34,5 @@ struct MovementContact {
     FaceId face = no_id;
 };
 std::vector<MovementContact> movement_contacts(const SceneMovement& story);
-
-PlayerInput input_at(const Tape& tape, std::size_t tick);
 
 }  // namespace slipface

@@ -1,4 +1,4 @@
-// Renders the scenes of a suite, and explains why one does not look like its golden.
+// Renders the scenes of a suite.
 #pragma once
 
 #include <memory>
@@ -7,6 +7,7 @@
 
 #include "goldens/suite.h"
 #include "slipface/render/gl_context.h"
+#include "snapshots/input_book.h"
 
 namespace slipface {
 
@@ -14,18 +15,15 @@ namespace slipface {
 // Reads levels and runs tapes only for "bookmarks" and "contacts". Error: two scenes of one name.
 Result<std::vector<Scene>> expand_suite(const std::vector<Scene>& scenes);
 
-// Renders scenes. Levels stay loaded and uploaded from one scene to the next. `context` must outlive it.
+// Renders scenes. Levels stay loaded and uploaded from one scene to the next. `context` and `book` must
+// outlive it.
 class SceneStage {
   public:
-    explicit SceneStage(OffscreenContext& context);
+    SceneStage(OffscreenContext& context, InputBook& book);
     ~SceneStage();
 
     // The scene's image and numbers. Errors name the scene: in its level, its tape or its camera.
     Result<Rendering> render(const Scene& scene);
-    // Why `scene` does not look like its golden: the faces, the setting, the tick.
-    std::vector<Finding> explain(const Scene& scene, const ExplainRequest& request);
-    // The digest of the scene's level, to attach to its golden; empty for a level that is too large.
-    Result<Attachment> digest(const Scene& scene);
     double drawing_s() const;  // seconds spent drawing so far
 
   private:
@@ -33,9 +31,14 @@ class SceneStage {
     std::unique_ptr<Impl> impl_;
 };
 
-// The scenes (cameras expanded) as snapshots.
+// The inputs of a scene: its level and its tape, by their names in the book, which learns them.
+std::vector<std::string> scene_inputs(const Scene& scene, InputBook& book);
+// The "inputs" section of the numbers, JSON: each name with a hash of its files' bytes.
+std::string inputs_json(const std::vector<std::string>& inputs, InputBook& book);
+
+// The scenes (cameras expanded) as snapshots. `book` must outlive them.
 std::vector<Snapshot> scene_snapshots(const std::vector<Scene>& scenes,
-                                      const std::shared_ptr<SceneStage>& stage);
+                                      const std::shared_ptr<SceneStage>& stage, InputBook& book);
 
 // Backend, renderer, OpenGL version and processor features: the "renderer" section of the numbers, JSON.
 std::string renderer_fingerprint(const OffscreenContext& context);

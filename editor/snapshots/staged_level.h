@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "goldens/numbers_json.h"
 #include "slipface/level/level.h"
 #include "slipface/render/level_image.h"
 #include "slipface/sim/tape.h"
@@ -17,14 +16,13 @@ struct StagedLevel {
     Level level;
     CollisionWorld collision;
     CollisionWorld geometry;   // with every face solid, for visibility. Empty: `collision` has all faces
-    Numbers numbers;           // the "level" section
-    std::string digest;        // digest_name; empty: too large for one
+    Warnings warnings;         // of reading it
     std::optional<Tape> tape;  // of a demo, for scenes without a tape of their own
 
     const CollisionWorld& visible() const { return geometry.triangle_count() > 0 ? geometry : collision; }
 };
 
-Result<std::unique_ptr<StagedLevel>> stage_level(Level level);
+Result<std::unique_ptr<StagedLevel>> stage_level(Level level, Warnings warnings = {});
 // A level's file, or "demo:NAME:on" and "demo:NAME:off": a scene of demo_table() with its switch on or off.
 Result<std::unique_ptr<StagedLevel>> load_staged_level(const std::filesystem::path& path);
 

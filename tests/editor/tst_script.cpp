@@ -129,7 +129,8 @@ TEST_F(ScriptTest, ScreensAreMadeFromTheScriptsOfAFolder) {
     write_text(screens / "b.script", "# level: grid.obj\n# size: 640x400\nclick \"Toolbar/Paint\"\n");
     write_text(screens / "a.script", "# size: wide\n");
     write_text(screens / "notes.txt", "");
-    const auto snapshots = screen_snapshots(screens);
+    InputBook book(screens.parent_path().parent_path());
+    const auto snapshots = screen_snapshots(screens, book);
     ASSERT_EQ(snapshots.size(), 2u);
     EXPECT_EQ(snapshots[0].name, "editor/a");
     EXPECT_EQ(snapshots[1].name, "editor/b");

@@ -50,7 +50,7 @@ TEST_F(SnapshotVerb, FromNothingToApprovedToChanged) {
     // Missing goldens fail, and nothing is written among them.
     const ProgramRun missing = check("--jobs 2");
     EXPECT_EQ(missing.exit_code, 1) << missing.output;
-    EXPECT_NE(missing.output.find("0 same, 4 failed"), std::string::npos) << missing.output;
+    EXPECT_NE(missing.output.find("0 same, 5 failed"), std::string::npos) << missing.output;
     EXPECT_EQ(goldens(), 0U);
     EXPECT_EQ(check("--detailed-exit --jobs 1 --only a").exit_code, 2);
 
@@ -60,22 +60,35 @@ TEST_F(SnapshotVerb, FromNothingToApprovedToChanged) {
     EXPECT_EQ(snapshot("approve --from " + report + " 'b@*'").exit_code, 0);
     EXPECT_EQ(goldens(), 3U);
     const ProgramRun rest = snapshot("approve --jobs 2");
-    EXPECT_NE(rest.output.find("1 approved, 3 unchanged, 0 failed"), std::string::npos) << rest.output;
+    EXPECT_NE(rest.output.find("1 approved, 4 unchanged, 0 failed"), std::string::npos) << rest.output;
     const ProgramRun same = check("--jobs 2 --twice --timing");
     EXPECT_EQ(same.exit_code, 0) << same.output;
-    EXPECT_NE(same.output.find("4 same, 0 failed"), std::string::npos) << same.output;
+    EXPECT_NE(same.output.find("5 same, 0 failed"), std::string::npos) << same.output;
 
     // A higher wall is named, and the report is there.
     folder_.write("room.obj", room(2.25));
     const ProgramRun changed = check("--jobs 1");
     EXPECT_EQ(changed.exit_code, 1) << changed.output;
-    EXPECT_NE(changed.output.find("face 1 of `wall`: a vertex moved 0.25 m"), std::string::npos)
+    EXPECT_NE(changed.output.find("level             2 vertices of `wall` moved by up to 0.25 m (room)"),
+              std::string::npos)
         << changed.output;
     for (const char* name : {"report.html", "report.json", "junit.xml", "a.expected.png", "a.actual.json"})
         EXPECT_TRUE(fs::exists(folder_ / (std::string("out/") + name))) << name;
-    // Approving what differs replaces the level's digest, too.
-    EXPECT_EQ(snapshot("approve").exit_code, 0);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "goldens/levels"), {}), 1);
+    // One row for all that the act changed, which is the first word of an annotation, too.
+    EXPECT_EQ(changed.output.find("vertices"), changed.output.rfind("vertices")) << changed.output;
+    setenv("GITHUB_ACTIONS", "true", 1);
+    const std::string annotated = check("--jobs 1 --quiet").output;
+    unsetenv("GITHUB_ACTIONS");
+    EXPECT_NE(annotated.find(",title=Snapshots::level: 2 vertices of `wall` moved"), std::string::npos)
+        << annotated;
+    // The facts follow when no image that shows them is red.
+    const ProgramRun one = snapshot("approve a --jobs 1");
+    EXPECT_NE(one.output.find("kept              inputs/room"), std::string::npos) << one.output;
+    EXPECT_NE(check("--only 'b@*' --jobs 1").output.find("2 vertices of `wall`"), std::string::npos);
+    EXPECT_EQ(check("--jobs 1").exit_code, 1);
+    EXPECT_EQ(snapshot("approve --jobs 1 --from " + report + " --act '*ceiling*'").exit_code, 2);
+    const ProgramRun act = snapshot("approve --jobs 1 --from " + report + " --act '*wall*'");
+    EXPECT_NE(act.output.find("0 failed"), std::string::npos) << act.output;
     EXPECT_EQ(check().exit_code, 0);
 }
 
@@ -92,7 +105,7 @@ TEST_F(SnapshotVerb, ShardsComeTogether) {
     const ProgramRun merged =
         run_program("snapshot merge --detailed-exit --out " + (folder_ / "all").string() + reports);
     EXPECT_EQ(merged.exit_code, 2) << merged.output;  // nothing but an orphan
-    EXPECT_NE(merged.output.find("4 same, 1 failed"), std::string::npos) << merged.output;
+    EXPECT_NE(merged.output.find("5 same, 1 failed"), std::string::npos) << merged.output;
     EXPECT_EQ(snapshot("list --orphans").exit_code, 2);
     EXPECT_EQ(snapshot("approve --prune a").exit_code, 0);
     EXPECT_FALSE(fs::exists(folder_ / "goldens/old.png"));

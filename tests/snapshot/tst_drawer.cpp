@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 std::string numbers(const std::string& mesa, const std::string& interface = "", const char* widgets = "{}") {
     return fmt::format(
-        R"({{"version": 1, "widgets": {}, "renderer": {{"version": "4.5 (Core Profile) {}"{}}}}})", widgets,
+        R"({{"version": 2, "widgets": {}, "renderer": {{"version": "4.5 (Core Profile) {}"{}}}}})", widgets,
         mesa, interface.empty() ? "" : ", \"interface\": \"" + interface + "\"");
 }
 

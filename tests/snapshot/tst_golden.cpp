@@ -231,14 +231,14 @@ TEST_F(GoldenTest, MasksAreNotCompared) {
 TEST_F(GoldenTest, NumbersDecideToo) {
     const auto with = [](const char* numbers) { return Rendering{sample(), numbers}; };
     const Snapshot snapshot = named("a");
-    const char* golden = R"({"version": 1, "level": {"faces": 4}, "renderer": {"version": "Mesa 1"}})";
+    const char* golden = R"({"version": 2, "level": {"faces": 4}, "renderer": {"version": "Mesa 1"}})";
     ASSERT_TRUE(approve("a", sample()));
     EXPECT_EQ(check_golden(folder_, snapshot, with(golden), out_).state, GoldenState::missing);
     ASSERT_TRUE(approve_golden(folder_, snapshot, with(golden)).ok());
     EXPECT_EQ(check_golden(folder_, snapshot, with(golden), out_).state, GoldenState::same);
-    const char* elsewhere = R"({"version": 1, "level": {"faces": 4}, "renderer": {"version": "Mesa 2"}})";
+    const char* elsewhere = R"({"version": 2, "level": {"faces": 4}, "renderer": {"version": "Mesa 2"}})";
     EXPECT_EQ(check_golden(folder_, snapshot, with(elsewhere), out_).state, GoldenState::same);
-    const char* other = R"({"version": 1, "level": {"faces": 5}, "renderer": {"version": "Mesa 1"}})";
+    const char* other = R"({"version": 2, "level": {"faces": 5}, "renderer": {"version": "Mesa 1"}})";
     const GoldenResult result = check_golden(folder_, snapshot, with(other), out_);
     EXPECT_EQ(result.state, GoldenState::different);
     EXPECT_NE(result.message.find("/level/faces was 4, is 5"), std::string::npos) << result.message;

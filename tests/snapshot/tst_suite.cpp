@@ -162,7 +162,8 @@ class SceneTest : public testing::Test {
             suite_of(R"({"name": "a", "level": "room.obj", "size": [160, 90])" + more + "}"),
             folder_ / "scenes.json");
         if (!scenes) return scenes.error();
-        return SceneStage(*context_).render(scenes->front());
+        InputBook book(folder_);
+        return SceneStage(*context_, book).render(scenes->front());
     }
 
     static inline fs::path folder_;
@@ -199,7 +200,8 @@ TEST_F(SceneTest, ErrorsNameTheScene) {
     Scene scene;
     scene.level = folder_ / "gone.obj";
     scene.location = "scenes.json:/scenes/4";
-    const auto image = SceneStage(*context_).render(scene);
+    InputBook book(folder_);
+    const auto image = SceneStage(*context_, book).render(scene);
     ASSERT_FALSE(image.ok());
     EXPECT_EQ(image.error().location, "scenes.json:/scenes/4/level");
 }
@@ -210,7 +212,8 @@ TEST_F(SceneTest, SnapshotsRenderTheScenesTwiceAlike) {
             {"name": "b", "level": "room.obj", "size": [160, 90], "camera": "auto:top", "style": "plain"}]})",
         folder_ / "scenes.json");
     ASSERT_TRUE(scenes.ok()) << scenes.error().text();
-    const auto snapshots = scene_snapshots(*scenes, std::make_shared<SceneStage>(*context_));
+    InputBook book(folder_);
+    const auto snapshots = scene_snapshots(*scenes, std::make_shared<SceneStage>(*context_, book), book);
     ASSERT_EQ(snapshots.size(), 2U);
     EXPECT_EQ(snapshots[1].name, "b");
     for (const Snapshot& snapshot : snapshots) {
@@ -230,7 +233,8 @@ TEST_F(SceneTest, CamerasAreExpanded) {
     ASSERT_TRUE(expanded.ok()) << expanded.error().text();
     std::vector<std::string> names;
     std::vector<Image> images;
-    SceneStage stage(*context_);
+    InputBook book(folder_);
+    SceneStage stage(*context_, book);
     for (const Scene& scene : *expanded) {
         names.push_back(scene.name);
         const auto rendering = stage.render(scene);

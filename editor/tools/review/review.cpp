@@ -5,6 +5,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -76,15 +77,11 @@ void load_images(Review& review) {
 
 // Runs the verb of this program, or of the installed one, in its own process: a snapshot's context cannot
 // exist in the process of a window.
-Status approve_by_program(const Review& review) {
-    std::vector<std::string> words{"slipface",
-                                   "snapshot",
-                                   "approve",
-                                   "--from",
-                                   review.report_file.string(),
-                                   "--goldens",
-                                   review.report.goldens,
-                                   review.entry()->name};
+Status approve_by_program(const Review& review, const std::vector<std::string>& which) {
+    std::vector<std::string> words{
+        "slipface",  "snapshot",           "approve", "--from", review.report_file.string(),
+        "--goldens", review.report.goldens};
+    words.insert(words.end(), which.begin(), which.end());
     std::vector<char*> arguments;
     for (std::string& word : words)
         arguments.push_back(word.data());
@@ -104,7 +101,7 @@ Status approve_by_program(const Review& review) {
     if (status != 0)
         return Error{review.entry()->name,
                      "could not be approved; in a terminal, `slipface snapshot approve --from " +
-                         review.report_file.generic_string() + " " + review.entry()->name + "` says why"};
+                         review.report_file.generic_string() + " " + which.back() + "` says why"};
     return {};
 }
 
@@ -131,8 +128,13 @@ void open_review(Editor& editor, const fs::path& report_file) {
     review->report_file = report_file;
     review->report = *std::move(report);
     sort_by_severity(review->report);
-    for (std::size_t i = 0; i < review->report.entries.size(); ++i)
-        if (review->report.entries[i].state != GoldenState::same) review->shown.push_back(i);
+    review->acts = act_rows(review->report);
+    for (std::size_t act = 0; act < review->acts.size(); ++act)
+        for (const std::size_t entry : review->acts[act].entries) {
+            if (std::find(review->shown.begin(), review->shown.end(), entry) != review->shown.end()) continue;
+            review->shown.push_back(entry);
+            review->act_of.push_back(act);
+        }
     review->marks.assign(review->shown.size(), ReviewMark::none);
     load_images(*review);
     editor.review = std::move(review);
@@ -162,9 +164,35 @@ void review_step(Editor& editor, int by) {
 
 bool review_can_approve(const Editor& editor) {
     const GoldenResult* entry = editor.review ? editor.review->entry() : nullptr;
-    return entry != nullptr &&
-           (entry->state == GoldenState::different || entry->state == GoldenState::missing ||
-            entry->state == GoldenState::unreadable);
+    return entry != nullptr && can_be_approved(*entry);
+}
+
+namespace {
+
+bool approved(Editor& editor, const std::vector<std::string>& which) {
+    const Status status = approve_by_program(*editor.review, which);
+    if (!status)
+        editor.message = MessageDialog{.title = "Cannot approve",
+                                       .text = status.error().text(),
+                                       .details = {},
+                                       .of_refused_write = true};
+    return status.ok();
+}
+
+}  // namespace
+
+void review_approve_act(Editor& editor) {
+    Review& review = *editor.review;
+    if (!review_can_approve(editor)) return;
+    const std::size_t act = review.act_of[review.current];
+    if (!approved(editor, {"--act", review.acts[act].text})) return;
+    for (std::size_t i = 0; i < review.shown.size(); ++i)
+        if (review.act_of[i] == act && can_be_approved(review.report.entries[review.shown[i]]))
+            review.marks[i] = ReviewMark::approved;
+    editor.status = "Approved: " + review.acts[act].text;
+    const auto next = std::find(review.marks.begin(), review.marks.end(), ReviewMark::none);
+    if (next != review.marks.end())
+        review_show(editor, static_cast<std::size_t>(next - review.marks.begin()));
 }
 
 void review_mark(Editor& editor, ReviewMark mark) {
@@ -172,13 +200,7 @@ void review_mark(Editor& editor, ReviewMark mark) {
     if (review.entry() == nullptr) return;
     if (mark == ReviewMark::approved) {
         if (!review_can_approve(editor)) return;
-        if (const Status status = approve_by_program(review); !status) {
-            editor.message = MessageDialog{.title = "Cannot approve",
-                                           .text = status.error().text(),
-                                           .details = {},
-                                           .of_refused_write = true};
-            return;
-        }
+        if (!approved(editor, {review.entry()->name})) return;
     }
     review.marks[review.current] = mark;
     editor.status = fmt::format("{}: {}", review.entry()->name, review_mark_name(mark));

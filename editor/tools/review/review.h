@@ -20,9 +20,11 @@ enum class ReviewMark { none, approved, rejected, skipped };
 struct Review {
     std::filesystem::path report_file;
     Report report;
-    std::vector<std::size_t> shown;  // entries that differ, worst first
-    std::vector<ReviewMark> marks;   // [shown]
-    std::size_t current = 0;         // index into shown
+    std::vector<ActRow> acts;         // what was done, what changed most entries first
+    std::vector<std::size_t> shown;   // entries that differ, below the first act that changed them
+    std::vector<std::size_t> act_of;  // [shown] index into acts
+    std::vector<ReviewMark> marks;    // [shown]
+    std::size_t current = 0;          // index into shown
     ReviewMode mode = ReviewMode::side_by_side;
     double swipe = 0.5;    // fraction of the width that shows the expected image
     bool images = true;    // the view shows the images; false: the level
@@ -48,6 +50,8 @@ void review_step(Editor& editor, int by);
 // Approving makes the image the golden at once. Then shows the next entry.
 void review_mark(Editor& editor, ReviewMark mark);
 bool review_can_approve(const Editor& editor);
+// Approves all that the act of the current entry changed.
+void review_approve_act(Editor& editor);
 // Opens the level of the current entry with the camera of the snapshot.
 void review_go_to_camera(Editor& editor);
 bool review_has_camera(const Editor& editor);
