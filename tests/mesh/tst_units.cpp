@@ -248,6 +248,23 @@ TEST_F(Units, ImplausibleSizesAreDoubted) {
     EXPECT_NEAR(size_doubt(*box(1856.0)->mesh, box(1856.0)->summary)->better_scale, 1.0 / 32, 1e-9);
 }
 
+TEST_F(Units, AWallInAFormatWithAFixedAxisIsNotDoubted) {
+    std::mt19937 random(20261128);
+    for (int i = 0; i < 20; ++i) {
+        const int width = static_cast<int>(4 + random() % 40), height = static_cast<int>(3 + random() % 20);
+        const std::string ac =
+            "AC3Db\nMATERIAL \"m\" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 trans 0\n"
+            "OBJECT world\nkids 1\nOBJECT poly\nnumvert 4\n" +
+            fmt::format("0 0 0\n{0} 0 0\n{0} {1} 0\n0 {1} 0\n", width, height) +
+            "numsurf 1\nSURF 0x0\nmat 0\nrefs 4\n0 0 0\n1 0 0\n2 0 0\n3 0 0\nkids 0\n";
+        const auto imported = import_as("wall.ac", ac);
+        ASSERT_TRUE(imported) << imported.error().text();
+        EXPECT_EQ(imported->summary.up_from, ImportSource::declared);
+        EXPECT_NEAR(imported->summary.size.y(), height, 1e-4);
+        EXPECT_FALSE(up_doubt(*imported->mesh, imported->summary));
+    }
+}
+
 // Rooms of random sizes with crates in them, upright along each axis.
 TEST_F(Units, LevelsThatLieOnTheirSideAreDoubted) {
     std::mt19937 random(20261126);
