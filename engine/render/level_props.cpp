@@ -71,7 +71,7 @@ LevelProps::Shown* LevelProps::upload(const Level& level, const Prop& prop, Warn
     shown.texture = prop.texture;
     shown.renderer.reset(new LevelRenderer(std::make_unique<LevelRenderer::Impl>(gl_, programs_)));
     const Warnings found = shown.renderer->set_instances(drawn_prop_mesh(shown.mesh, prop.mesh, prop.texture),
-                                                    level.mesh_path.parent_path());
+                                                         level.mesh_path.parent_path());
     warnings.insert(warnings.end(), found.begin(), found.end());
     return &shown;
 }

@@ -61,7 +61,8 @@ void GeometricManager::on_draw(Graphics& graphics) {
         Placement at = prop.placement();
         if (platform != level_.platforms.end()) at = moved(at, platform_pose(*platform, time_s_));
         pose_at(*drawn_[i], prop.animation, time_s_, pose_);
-        graphics.draw_mesh(drawn_[i], at, folder, {.texture = {}, .pose = &pose_, .uv = uv_at(prop.animation, time_s_)});
+        graphics.draw_mesh(drawn_[i], at, folder,
+                           {.texture = {}, .pose = &pose_, .uv = uv_at(prop.animation, time_s_)});
     }
 }
 

@@ -181,7 +181,7 @@ TEST(C, StepsGiveTheBitsOfCppAndTheSameTrace) {
     for (int tick = 0; tick < 1500; ++tick) {
         if (tick % 40 == 0) {
             const double a = random.uniform(0, 6.28);
-            input = {std::cos(a), std::sin(a), static_cast<std::uint8_t>(random.below(2))};
+            input = {std::cos(a), std::sin(a), static_cast<std::uint8_t>(random.below(2)), 0};
         }
         OK(slipface_world_set_time(world, tick * dt, dt, &error));
         OK(slipface_step(world, settings, &player, &input, dt, note, &count, &player, &error));
@@ -220,7 +220,7 @@ TEST(C, ManyPlayersMoveAsEachAlone) {
     std::vector<slipface_input> inputs;
     for (slipface_player& player : many) {
         OK(slipface_player_at(world, c_of(Vec3(3, 4, 3) + random.in_box(2)), &player, &error));
-        inputs.push_back({random.uniform(-1, 1), random.uniform(-1, 1), 0});
+        inputs.push_back({random.uniform(-1, 1), random.uniform(-1, 1), 0, 0});
     }
     alone = many;
     for (int tick = 0; tick < 120; ++tick) {
@@ -254,7 +254,7 @@ TEST(C, ACrowdMovesAsInCpp) {
     for (std::size_t i = 0; i < players.size(); ++i) {
         const Vec3 position = Vec3(3, 4, 3) + random.in_box(2);
         OK(slipface_player_at(world, c_of(position), &players[i], &error));
-        inputs.push_back({random.uniform(-1, 1), random.uniform(-1, 1), 0});
+        inputs.push_back({random.uniform(-1, 1), random.uniform(-1, 1), 0, 0});
         each.push_back(settings[i % 2]);
         CrowdMember member;
         member.settings = &values[i % 2];

@@ -268,7 +268,7 @@ TEST_F(LevelFile, FlippedFacesLookTheOtherWayAndKeepTheirPaint) {
     for (FaceId face = 0; face < loaded.level.mesh.face_count(); face += 17)
         EXPECT_LT((face_normal(*again.level.mesh, face) + face_normal(*loaded.level.mesh, face)).norm(), 1e-6)
             << face;
-    auto back = reload_mesh(again.level, {});
+    auto back = reload_mesh(again.level, ImportTransform{});
     ASSERT_TRUE(back);
     EXPECT_EQ(back->level.mesh->fingerprint, loaded.level.mesh->fingerprint);
 }

@@ -27,7 +27,7 @@ MeshPtr frozen(const Mesh& mesh, const RigPose& pose) {
     return made;
 }
 
-std::size_t differing(const Image& a, const Image& b) {
+std::size_t changed_pixels(const Image& a, const Image& b) {
     std::size_t count = 0;
     for (int y = 0; y < high; ++y)
         for (int x = 0; x < wide; ++x)
@@ -71,8 +71,8 @@ TEST_F(PosedMeshes, LookLikeTheirPositions) {
         still.pose = {};
         const Image a = image(posed, &placed), b = image(plain, &still);
         ASSERT_TRUE(posed.status()) << posed.status().error().text();
-        EXPECT_GT(differing(a, empty), 1000U);
-        EXPECT_LT(differing(a, b), differing(a, empty) / 25) << "edges, and the rounding of normals";
+        EXPECT_GT(changed_pixels(a, empty), 1000U);
+        EXPECT_LT(changed_pixels(a, b), changed_pixels(a, empty) / 25) << "edges, and the rounding of normals";
     }
 }
 
