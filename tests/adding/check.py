@@ -113,7 +113,7 @@ libraries = [str(build / f"engine/{name}/libslipface_{name}.a") for name in ("co
 program = scratch / "adding"
 link = subprocess.run([compiler, *objects, "-o", str(program), "-Wl,--start-group", *libraries, "-Wl,--end-group", "-lgtest",
                        "-lgtest_main", "-lgmock", "-lfmt", "-lassimp", "-ltbb", "-ldeflate", "-lstb",
-                       "-lwebp"], capture_output=True, text=True)
+                       "-lwebp", "-ldraco", "-lmeshoptimizer"], capture_output=True, text=True)
 if link.returncode != 0:
     sys.exit(f"The lists miss a place. With the edits at those that they name, the program does not link:\n{link.stderr}")
 if subprocess.run([str(program), "--gtest_brief=1", "--gtest_filter=SettingsTable.*:Added*:*second_jump"], cwd=scratch).returncode != 0:
