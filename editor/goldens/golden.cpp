@@ -88,8 +88,9 @@ void write_actual(const Pair& pair, std::string& message) {
         write_and_report(png_path(pair.out, pair.snapshot.name, ".actual.png"), pair.actual.image, message);
     if (pair.actual.numbers.empty()) return;
     const fs::path path = png_path(pair.out, pair.snapshot.name, ".actual.json");
-    if (Status status = write_file_atomic(path, pair.actual.numbers); !status)
-        message += "; " + status.error().text();
+    Status status = create_folder_of(path);
+    if (status) status = write_file_atomic(path, pair.actual.numbers);
+    if (!status) message += "; " + status.error().text();
 }
 
 GoldenResult without_golden(const Pair& pair, GoldenState state, const std::string& why) {

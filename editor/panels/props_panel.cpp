@@ -180,7 +180,6 @@ void chosen_prop_rows(Editor& editor, std::size_t prop) {
                         "Along its own axes; a negative one mirrors it");
         prop_look_rows(target);
         prop_motion_rows(target);
-        prop_animation_rows(target);
         end_property_rows();
     }
     const PropMesh* const mesh = find_prop_mesh(editor.document->level(), target.now().mesh);
@@ -190,7 +189,11 @@ void chosen_prop_rows(Editor& editor, std::size_t prop) {
     if (ui::button("Paint", "Give all its faces the brush's type"))
         return paint_prop(editor, prop, editor.brush);
     ui::flow(ui::button_width("Delete"));
-    if (ui::button("Delete", "Remove it (Shift+Delete)")) remove_prop(editor, prop);
+    if (ui::button("Delete", "Remove it (Shift+Delete)")) return remove_prop(editor, prop);
+    ui::heading("Animation");
+    if (!begin_property_rows("animation", label_width_of("Rows of pictures"))) return;
+    prop_animation_rows(target);
+    end_property_rows();
 }
 
 // A list that scrolls by itself, so that the fields below stay where they are.

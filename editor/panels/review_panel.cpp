@@ -58,15 +58,15 @@ void decide(Editor& editor) {
     const ImVec2 none{0, 0};
     if (ui::primary_button("Approve", review_can_approve(editor), none))
         return review_mark(editor, ReviewMark::approved);
-    ImGui::SameLine();
     const ActRow& act = editor.review->acts[editor.review->act_of[editor.review->current]];
+    if (act.entries.size() > 1) ui::flow(ui::button_width("Approve act"));
     if (act.entries.size() > 1 &&
         ui::button("Approve act", "Approve all that this act changed", review_can_approve(editor)))
         return review_approve_act(editor);
-    if (act.entries.size() > 1) ImGui::SameLine();
+    ui::flow(ui::button_width("Reject"));
     if (ui::button("Reject", "Reject it and go to the next (Alt+R)"))
         return review_mark(editor, ReviewMark::rejected);
-    ImGui::SameLine();
+    ui::flow(ui::button_width("Skip"));
     if (ui::button("Skip", "Decide later (Alt+S)")) return review_mark(editor, ReviewMark::skipped);
     if (ui::button("Go to camera", "Open its level with the snapshot's camera (Alt+G)",
                    review_has_camera(editor)))

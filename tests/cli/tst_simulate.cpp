@@ -158,7 +158,7 @@ TEST_F(Simulate, ATapeOfOtherGeometryIsAWarning) {
 }
 
 TEST_F(Simulate, BadInputIsNamed) {
-    EXPECT_EQ(run("60 hop\n"), cli::exit_bad_input);
+    EXPECT_EQ(run("60 hop=3\n"), cli::exit_bad_input);
     EXPECT_THAT(err.str(), testing::StartsWith("slipface: " + (folder / "run.tape").string() + ":2: "));
     EXPECT_EQ(run("60\n", {"walk_sped=5"}), cli::exit_bad_input);
     EXPECT_THAT(err.str(), HasSubstr("walk_speed"));

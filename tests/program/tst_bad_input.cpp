@@ -55,8 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"NotANumber", "v 0 nan 0\n" + square + "f 1 2 3\n", "bad.obj:1"},
         BadFile{"Infinite", square + "v inf 0 0\nf 1 2 3\n", "bad.obj:5"},
         BadFile{"Huge", square + "v 1e38 0 0\nf 1 2 3\n", "bad.obj:5"},
-        BadFile{"LongLine", square + "v " + std::string(10'000'000, '1') + " 0 0\nf 1 2 3\n", "bad.obj:5"},
-        BadFile{"LongComment", square + "f 1 2 3\n#" + std::string(10'000'000, 'x') + "\n", "bad.obj:6"}),
+        BadFile{"LongLine", square + "v " + std::string(10'000'000, '1') + " 0 0\nf 1 2 3\n", "bad.obj:5"}),
     [](const auto& case_) { return std::string(case_.param.name); });
 
 TEST(BadPath, MissingFile) {

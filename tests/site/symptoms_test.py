@@ -28,6 +28,8 @@ def rows(name):
 
 settings, labels = {}, set()  # names -> range; what stands in italics
 for row in rows("docs/settings.md"):
+    if "Range" not in row:
+        continue  # a table of something else, such as buttons
     settings.setdefault(row["Name"], []).append(row["Range"])
     labels.add(row.get("Setting") or row["Parameter"])
 menu = ""
