@@ -45,17 +45,17 @@ std::string binary_junk() {
 
 INSTANTIATE_TEST_SUITE_P(
     Files, BadObj,
-    testing::Values(
-        BadFile{"Empty", "", "bad.obj"}, BadFile{"NoFaces", square, "face"},
-        BadFile{"BinaryJunk", binary_junk(), "bad.obj"},
-        BadFile{"IndexTooLarge", square + "f 1 2 3\nf 1 2 9\n", "bad.obj:6"},
-        BadFile{"IndexZero", square + "f 0 1 2\n", "bad.obj:5"},
-        BadFile{"IndexTooNegative", square + "f -1 -2 -9\n", "bad.obj:5"},
-        BadFile{"IndexBeyond64Bits", square + "f 1 2 99999999999999999999999\n", "bad.obj:5"},
-        BadFile{"NotANumber", "v 0 nan 0\n" + square + "f 1 2 3\n", "bad.obj:1"},
-        BadFile{"Infinite", square + "v inf 0 0\nf 1 2 3\n", "bad.obj:5"},
-        BadFile{"Huge", square + "v 1e38 0 0\nf 1 2 3\n", "bad.obj:5"},
-        BadFile{"LongLine", square + "v " + std::string(10'000'000, '1') + " 0 0\nf 1 2 3\n", "bad.obj:5"}),
+    testing::Values(BadFile{"Empty", "", "bad.obj"}, BadFile{"NoFaces", square, "face"},
+                    BadFile{"BinaryJunk", binary_junk(), "bad.obj"},
+                    BadFile{"IndexTooLarge", square + "f 1 2 3\nf 1 2 9\n", "bad.obj:6"},
+                    BadFile{"IndexZero", square + "f 0 1 2\n", "bad.obj:5"},
+                    BadFile{"IndexTooNegative", square + "f -1 -2 -9\n", "bad.obj:5"},
+                    BadFile{"IndexBeyond64Bits", square + "f 1 2 99999999999999999999999\n", "bad.obj:5"},
+                    BadFile{"NotANumber", "v 0 nan 0\n" + square + "f 1 2 3\n", "bad.obj:1"},
+                    BadFile{"Infinite", square + "v inf 0 0\nf 1 2 3\n", "bad.obj:5"},
+                    BadFile{"Huge", square + "v 1e38 0 0\nf 1 2 3\n", "bad.obj:5"},
+                    BadFile{"LongLine", square + "v " + std::string(10'000'000, '1') + " 0 0\nf 1 2 3\n",
+                            "bad.obj:5"}),
     [](const auto& case_) { return std::string(case_.param.name); });
 
 TEST(BadPath, MissingFile) {

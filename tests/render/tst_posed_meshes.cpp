@@ -72,7 +72,8 @@ TEST_F(PosedMeshes, LookLikeTheirPositions) {
         const Image a = image(posed, &placed), b = image(plain, &still);
         ASSERT_TRUE(posed.status()) << posed.status().error().text();
         EXPECT_GT(changed_pixels(a, empty), 1000U);
-        EXPECT_LT(changed_pixels(a, b), changed_pixels(a, empty) / 25) << "edges, and the rounding of normals";
+        EXPECT_LT(changed_pixels(a, b), changed_pixels(a, empty) / 25)
+            << "edges, and the rounding of normals";
     }
 }
 

@@ -54,8 +54,8 @@ std::string utf8_of_utf16(std::string_view bytes, bool little_endian) {
     std::string text;
     const auto unit = [&](std::size_t at) -> std::uint32_t {
         if (at + 1 >= bytes.size()) return 0;
-        const auto first = static_cast<unsigned char>(bytes[at]),
-                   second = static_cast<unsigned char>(bytes[at + 1]);
+        const std::uint32_t first = static_cast<unsigned char>(bytes[at]),
+                            second = static_cast<unsigned char>(bytes[at + 1]);
         return little_endian ? first | second << 8U : first << 8U | second;
     };
     for (std::size_t at = 0; at + 1 < bytes.size(); at += 2) {
