@@ -11,6 +11,7 @@
 #include "collision/scenes.h"
 #include "slipface/collision/filter.h"
 #include "slipface/level/level_file.h"
+#include "slipface/level/level_scene.h"
 #include "slipface/movement/crowd.h"
 
 namespace slipface {

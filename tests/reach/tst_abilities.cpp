@@ -20,7 +20,7 @@ MovementSettings jumper(std::mt19937_64& random) {
     return settings;
 }
 
-bool reaches(const ReachScene& scene, std::uint64_t seed, int rounds) {
+bool reaches(const ReachScene& scene, std::uint64_t seed, std::uint64_t rounds) {
     ReachSearch search = search_of(scene, 0, seed);
     const bool found = rounds_until(search, face_at(scene.level, scene.target), rounds).has_value();
     EXPECT_EQ(false_claims(search), "");

@@ -53,7 +53,7 @@ std::vector<GltfSceneNode> gltf_nodes(const GltfFile& file) {
     const auto add = [&](const GltfValue& references, std::uint32_t parent) {
         for (std::size_t i = references.size(); i-- > 0;) {
             file.element("nodes", references.at(i));
-            open.push_back({references.at(i).whole(), parent});
+            open.push_back({static_cast<std::size_t>(references.at(i).whole()), parent});
         }
     };
     if (const GltfValue scene = shown_scene(file)) {
