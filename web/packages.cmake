@@ -1,6 +1,7 @@
 # What find_package finds in a build for the web, besides what every build without Debian's compiled libraries has.
 include("${CMAKE_CURRENT_LIST_DIR}/../stand_ins/packages.cmake")
-slipface_stand_in_package(TBB TBB::tbb "${CMAKE_CURRENT_LIST_DIR}/../stand_ins/tbb")
+# The page's own headers first: it has one thread.
+slipface_stand_in_package(TBB TBB::tbb "${CMAKE_CURRENT_LIST_DIR}/stand_ins" "${CMAKE_CURRENT_LIST_DIR}/../stand_ins/tbb")
 target_sources(slipface_stand_ins PRIVATE "${CMAKE_CURRENT_LIST_DIR}/one_thread.cpp")
 
 # Dear ImGui from Debian's source package, which scripts/build_web.sh unpacks: its library is for the desktop's processor.

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "goldens/numbers_json.h"
@@ -17,7 +17,10 @@ namespace slipface {
 struct FaceFact {
     std::vector<std::array<float, 5>> corners;  // x, y, z in metres, u, v; begins with the smallest
     std::string material, type;                 // names; no type: rules and the prop decide
-    friend auto operator<=>(const FaceFact&, const FaceFact&) = default;
+    friend bool operator==(const FaceFact&, const FaceFact&) = default;
+    friend bool operator<(const FaceFact& a, const FaceFact& b) {
+        return std::tie(a.corners, a.material, a.type) < std::tie(b.corners, b.material, b.type);
+    }
 };
 using FaceList = std::vector<FaceFact>;  // ascending
 
