@@ -58,14 +58,16 @@ try {
   await reach.until("and has its map", (is) => is.reach && !is.reach.running && is.reach.found > 100, 120);
   await reach.picture("site-6-map");
 
-  await page.goto(address + "index.html");
-  await page.locator(".md-search__input").click();
-  await page.locator(".md-search__input").fill("player falls through floor");
-  await page.locator(".md-search-result__item").first().waitFor({ timeout: 20000 });
-  const first = page.locator(".md-search-result__link").nth(1); // below its page's title
+  const asked = await (await browser.newContext({ viewport: options.viewport })).newPage();
+  checks.watch(asked);
+  await asked.goto(address + "index.html");
+  await asked.locator(".md-search__input").click();
+  await asked.keyboard.type("player falls through floor");
+  await asked.locator(".md-search-result__item").first().waitFor({ timeout: 20000 });
+  const first = asked.locator(".md-search-result__link").nth(1); // below its page's title
   check("the search puts the symptom first", /^\s*Player falls through the floor/.test(await first.textContent()), await first.textContent());
   await first.click();
-  await page.waitForURL(/symptoms\.html.*#player-falls-through-the-floor$/, { timeout: 20000 });
+  await asked.waitForURL(/symptoms\.html.*#player-falls-through-the-floor$/, { timeout: 20000 });
 
   const plain = await (await browser.newContext({ viewport: options.viewport, javaScriptEnabled: false })).newPage();
   for (const name of ["movement", "sweep", "reach"]) {
