@@ -5,7 +5,7 @@
 
 Compared are bounds, number of triangles, their area, and where they are; names of materials where the tool keeps them; and clips.
 Prints a row for each form and ends with 1 if one is read as something else in silence."""
-import json, pathlib, subprocess, sys
+import base64, json, math, pathlib, struct, subprocess, sys
 
 import numpy
 
@@ -13,7 +13,10 @@ PACK = {  # form: options of gltfpack
     "pack plain": ["-noq"], "pack quantized": [], "pack 16 bits": ["-vp", "16", "-vt", "16"], "pack normalised": ["-vpn"],
     "pack meshopt": ["-c"], "pack meshopt high": ["-cc"], "pack meshopt fallback": ["-cf"], "pack named": ["-kn", "-km", "-ke"],
     "pack merged": ["-mm"],
-}  # not -mi: gltfpack 0.18 writes other places for instances that are scaled unevenly and turned
+}
+INSTANCES = {  # gltfpack 0.18 writes other places for what is scaled unevenly and turned, so only for what is scaled evenly
+    "pack instances": ["-mi", "-noq"], "pack instances quantized": ["-mi"], "pack instances meshopt": ["-mi", "-cc"],
+}
 TRANSFORM = {  # form: command of gltf-transform and its options
     "copy": ["copy"], "separate": ["copy", "--vertex-layout", "separate"], "dedup": ["dedup"], "prune": ["prune"], "instance": ["instance", "--min", "2"],
     "flatten": ["flatten"], "join": ["join"], "draco": ["draco"], "draco sequential": ["draco", "--method", "sequential"], "meshopt": ["meshopt"],
@@ -80,20 +83,41 @@ def difference(source, read):
     return ""
 
 
+def evenly_scaled(path):
+    """Six instances of a lopsided mesh, each turned and scaled by one factor."""
+    points = [(0, 0, 0), (3, 0, 0), (0, 2, 0), (0, 0, 1), (3, 2, 1), (1, 0, 4)]
+    corners = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 4, 1, 4, 5, 3, 5, 4]
+    data = struct.pack("<18f", *(x for point in points for x in point)) + struct.pack("<18H", *corners)
+    nodes = []
+    for i in range(6):
+        half = (0.7 * i + 0.2) / 2
+        turn = [part / 1.001 * math.sin(half) for part in (0.3, 0.8, 0.52)]
+        nodes.append({"mesh": 0, "translation": [7 * i - 10, 3 * i, 5 - 4 * i], "rotation": [*turn, math.cos(half)], "scale": [1 + 0.3 * i] * 3})
+    path.write_text(json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(6))}], "nodes": nodes,
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 6, "type": "VEC3", "min": [0, 0, 0], "max": [3, 2, 4]},
+                      {"bufferView": 1, "componentType": 5123, "count": 18, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 72}, {"buffer": 0, "byteOffset": 72, "byteLength": 36}],
+        "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]}))
+    return str(path)
+
+
 def main(program, work, transform, *files):
     work = pathlib.Path(work)
     silent = 0
-    for file in files:
+    for file in (*files, evenly_scaled(work / "even.gltf")):
         source = said(program, file, work)
         if isinstance(source, str):
             sys.exit(f"{file}: {source}")
-        for form, options in {**PACK, **TRANSFORM}.items():
+        packs = {**PACK, **INSTANCES} if file.endswith("even.gltf") else PACK
+        for form, options in {**packs, **TRANSFORM}.items():
             for ending in ("glb", "gltf"):
                 folder = work / "form"
                 run("rm", "-rf", str(folder))
                 folder.mkdir()
                 out = folder / f"out.{ending}"
-                if form in PACK:
+                if form in packs:
                     made = run("gltfpack", "-i", file, "-o", str(out), *options)
                 else:
                     made = run(transform, options[0], file, str(out), *options[1:])
