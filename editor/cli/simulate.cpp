@@ -59,7 +59,7 @@ Result<Run> run_tape(const SimulateOptions& options) {
 
 std::string ground_name(const Run& run) {
     const PlayerState& state = run.report.final_state;
-    const bool held = state.grounded || state.climbing || state.stuck;
+    const bool held = is_held(state);
     return held ? run.base.loaded->level.surfaces[state.ground_surface].name : std::string();
 }
 
@@ -79,8 +79,11 @@ void print_report_json(const Run& run, std::ostream& out) {
                            {"grounded", state.grounded},
                            {"climbing", state.climbing},
                            {"stuck", state.stuck},
+                           {"hanging", state.hanging},
+                           {"crouched", state.crouched},
+                           {"wants_to_stand", state.wants_to_stand},
                            {"surface", ground_name(run)}};
-    const bool held = state.grounded || state.climbing || state.stuck;
+    const bool held = is_held(state);
     json["final_state"]["ground_face"] =
         held && state.ground_face != no_id ? OutputJson(state.ground_face) : OutputJson(nullptr);
     json["hashes"] = OutputJson::array();
@@ -99,6 +102,7 @@ void print_report_text(const Run& run, std::ostream& out) {
     std::string how = state.grounded   ? "grounded"
                       : state.climbing ? "climbing"
                       : state.stuck    ? "stuck"
+                      : state.hanging  ? "hanging"
                                        : "in the air";
     if (const std::string ground = ground_name(run); !ground.empty()) how += " on " + ground;
     print_row(out, "ticks", fmt::format("{} of {} s", report.ticks, run.base.tape.dt_text));

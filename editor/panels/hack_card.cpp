@@ -87,7 +87,6 @@ ImageRequest demo_image(const DemoInfo& info, bool on) {
     request.camera.target = built.demo.camera.target;
     request.camera.fov_y = built.demo.camera.fov_y;
     const TapeRun& run = built.runs[on ? 1 : 0];
-    const Vec3& radii = run.settings().radii;
     const Color trail = on ? Color{0.45f, 0.86f, 0.60f, 1.0f} : Color{0.98f, 0.47f, 0.42f, 1.0f};
     const auto samples = run.samples();
     Vec3 previous = run.start();
@@ -98,12 +97,13 @@ ImageRequest demo_image(const DemoInfo& info, bool on) {
     }
     constexpr std::size_t ghosts = 5;
     for (std::size_t i = 0; i < ghosts && !samples.empty(); ++i) {
-        const Vec3 position = samples[(samples.size() - 1) * i / (ghosts - 1)].position;
+        const TickSample& sample = samples[(samples.size() - 1) * i / (ghosts - 1)];
+        const Vec3 radii = body_radii(run.settings(), {.crouched = sample.crouched});
         Color fill = trail;
         fill.alpha = i + 1 == ghosts ? 0.45f : 0.10f;
         Color outline = trail;
         outline.alpha = i + 1 == ghosts ? 1.0f : 0.5f;
-        request.overlay.ellipsoid(position, radii, fill, outline);
+        request.overlay.ellipsoid(sample.position, radii, fill, outline);
     }
     return request;
 }

@@ -179,7 +179,7 @@ void lane(ImDrawList& list, const Document& document, const TapeRun& run, const 
     const auto kind_of = [&](std::size_t tick) -> int {
         const TickSample& s = samples[tick];
         if (s.respawned) return -2;
-        if (!(s.grounded || s.climbing || s.stuck)) return -1;
+        if (!(s.grounded || s.climbing || s.stuck || s.hanging)) return -1;
         return s.surface;
     };
     const double step = std::max(1.0, track.ticks_per_pixel());

@@ -42,6 +42,8 @@ void playtest_hud(const Editor& editor, const ViewportState& state) {
     if (player.grounded) stance = "on " + ground;
     if (player.climbing) stance = "climbing " + ground;
     if (player.stuck) stance = "stuck to " + ground;
+    if (player.hanging) stance = "hanging from " + ground;
+    if (player.crouched) stance += player.wants_to_stand ? ", wants to stand" : ", crouched";
     ImDrawList& list = *ImGui::GetWindowDrawList();
     plate(list, {state.min.x + 14 * scale, state.min.y + 14 * scale},
           {fmt::format("{:.2f} m/s", editor.playtest->speed()), stance,

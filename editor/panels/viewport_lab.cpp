@@ -48,7 +48,8 @@ void ghost(Overlay& overlay, const TapeRun& run, double time_s, const Color& col
     Color fill = color, outline = color;
     fill.alpha = explained ? 0.30f : 0.14f;
     outline.alpha = 0.95f;
-    overlay.ellipsoid(sample.position, run.settings().radii, fill, outline);
+    overlay.ellipsoid(sample.position, body_radii(run.settings(), {.crouched = sample.crouched}), fill,
+                      outline);
     if (explained && sample.velocity.norm() > 0.1)
         overlay.arrow(sample.position, sample.position + sample.velocity * 0.2, color, 2.5f, true);
 }

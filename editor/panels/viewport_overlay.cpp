@@ -80,7 +80,8 @@ void add_player(Overlay& overlay, const Editor& editor) {
     }
     if (playtest.first_person) return;
     const Vec3 centre = playtest.shown_position();
-    overlay.ellipsoid(centre, settings.radii, {0.36f, 0.60f, 0.86f, 0.75f}, {0.80f, 0.90f, 1.0f, 0.9f});
+    overlay.ellipsoid(centre, body_radii(settings, playtest.state()), {0.36f, 0.60f, 0.86f, 0.75f},
+                      {0.80f, 0.90f, 1.0f, 0.9f});
     const Vec3 velocity = motion_velocity(playtest.state());
     if (velocity.norm() > 0.1)
         overlay.arrow(centre, centre + velocity * 0.2, {1.0f, 1.0f, 1.0f, 0.9f}, 2.0f, true);

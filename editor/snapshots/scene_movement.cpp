@@ -77,7 +77,9 @@ void draw_path(SceneMovement& story) {
     start_fill.alpha = 0.06f;
     end_fill.alpha = 0.20f;
     story.overlay.ellipsoid(story.start, story.settings.radii, start_fill, trace_colors::start);
-    story.overlay.ellipsoid(previous, story.settings.radii, end_fill, end_color);
+    story.overlay.ellipsoid(
+        previous, body_radii(story.settings, story.states.empty() ? PlayerState{} : story.states.back()),
+        end_fill, end_color);
 }
 
 Numbers tape_json(const SceneMovement& story, const SimulationReport& report) {
@@ -160,7 +162,7 @@ std::vector<MovementContact> movement_contacts(const SceneMovement& story) {
     bool held = false;
     SurfaceId surface = default_surface;
     for (const PlayerState& state : story.states) {
-        const bool holds = state.grounded || state.climbing || state.stuck;
+        const bool holds = is_held(state);
         const bool touched = holds && (!held || state.ground_surface != surface);
         held = holds;
         if (holds) surface = state.ground_surface;

@@ -7,23 +7,49 @@ using namespace slipface::c;
 
 namespace {
 
+// The members that are a number, a count or a flag on both sides: each(of the engine, of C).
+template <class State, class Player, class Each>
+void each_member(State& state, Player& player, const Each& each) {
+    each(state.ground_rise, player.ground_rise);
+    each(state.coyote_s, player.coyote_s);
+    each(state.jump_buffer_s, player.jump_buffer_s);
+    each(state.wall_x, player.wall_x);
+    each(state.wall_z, player.wall_z);
+    each(state.wall_lock_s, player.wall_lock_s);
+    each(state.dash_s, player.dash_s);
+    each(state.mantle_s, player.mantle_s);
+    each(state.air_jumps, player.air_jumps);
+    each(state.dashes, player.dashes);
+    each(state.grounded, player.grounded);
+    each(state.climbing, player.climbing);
+    each(state.stuck, player.stuck);
+    each(state.jump_held, player.jump_held);
+    each(state.hazard, player.hazard);
+    each(state.jumping, player.jumping);
+    each(state.trapped, player.trapped);
+    each(state.crushed, player.crushed);
+    each(state.dash_held, player.dash_held);
+    each(state.hanging, player.hanging);
+    each(state.crouched, player.crouched);
+    each(state.wants_to_stand, player.wants_to_stand);
+    each(state.dropping, player.dropping);
+}
+
 PlayerState state_of(const World& in, const slipface_player& player) {
     PlayerState state;
     state.position = finite(player.position, "position");
     state.velocity = finite(player.velocity, "velocity");
     state.ground_normal = finite(player.ground_normal, "ground_normal");
     state.air_frame = finite(player.air_frame, "air_frame");
-    for (const double number : {player.ground_rise, player.coyote_s, player.jump_buffer_s, player.wall_x,
-                                player.wall_z, player.wall_lock_s})
-        if (!std::isfinite(number))
-            refuse(SLIPFACE_WRONG_ARGUMENT, "player: found {}, expected finite numbers", number);
-    state.ground_rise = player.ground_rise;
-    state.coyote_s = player.coyote_s;
-    state.jump_buffer_s = player.jump_buffer_s;
-    state.wall_x = player.wall_x;
-    state.wall_z = player.wall_z;
-    state.wall_lock_s = player.wall_lock_s;
-    state.air_jumps = player.air_jumps;
+    each_member(state, player, [](auto& to, const auto& from) {
+        if constexpr (std::is_same_v<decltype(to), double&>)
+            if (!std::isfinite(from))
+                refuse(SLIPFACE_WRONG_ARGUMENT, "player: found {}, expected finite numbers", from);
+        if constexpr (std::is_same_v<decltype(to), bool&>)
+            to = from != 0;
+        else
+            to = from;
+    });
     for (std::size_t axis = 0; axis < 3; ++axis)
         state.sector[axis] = player.sector[axis];
     state.ground_face = player.ground_face;
@@ -38,14 +64,6 @@ PlayerState state_of(const World& in, const slipface_player& player) {
     if (player.carrier > static_cast<std::uint8_t>(Carrier::character))
         refuse(SLIPFACE_WRONG_ARGUMENT, "carrier: found {}, expected a slipface_carrier", player.carrier);
     state.carrier = static_cast<Carrier>(player.carrier);
-    state.grounded = player.grounded != 0;
-    state.climbing = player.climbing != 0;
-    state.stuck = player.stuck != 0;
-    state.jump_held = player.jump_held != 0;
-    state.hazard = player.hazard != 0;
-    state.jumping = player.jumping != 0;
-    state.trapped = player.trapped != 0;
-    state.crushed = player.crushed != 0;
     return state;
 }
 
@@ -56,26 +74,12 @@ slipface_player player_of(const PlayerState& state) {
     player.ground_normal = vec(state.ground_normal);
     player.air_frame = vec(state.air_frame);
     player.carrier = static_cast<std::uint8_t>(state.carrier);
-    player.ground_rise = state.ground_rise;
-    player.coyote_s = state.coyote_s;
-    player.jump_buffer_s = state.jump_buffer_s;
-    player.wall_x = state.wall_x;
-    player.wall_z = state.wall_z;
-    player.wall_lock_s = state.wall_lock_s;
-    player.air_jumps = state.air_jumps;
+    each_member(state, player, [](const auto& from, auto& to) { to = from; });
     for (std::size_t axis = 0; axis < 3; ++axis)
         player.sector[axis] = state.sector[axis];
     player.ground_face = state.ground_face;
     player.ground_platform = state.ground_platform;
     player.ground_type = state.ground_surface;
-    player.grounded = state.grounded;
-    player.climbing = state.climbing;
-    player.stuck = state.stuck;
-    player.jump_held = state.jump_held;
-    player.hazard = state.hazard;
-    player.jumping = state.jumping;
-    player.trapped = state.trapped;
-    player.crushed = state.crushed;
     return player;
 }
 

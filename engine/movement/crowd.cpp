@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <tuple>
 #include <vector>
 
@@ -19,13 +20,14 @@ constexpr double overlapping = 1.0 - 1e-9, touching = 1.0 + 1e-3;
 
 struct Body {
     CrowdMember* member = nullptr;
+    const MovementSettings* settings = nullptr;     // of the body that it has
     Vec3 begin = Vec3::Zero(), end = Vec3::Zero();  // of its centre in this step, the scene's coordinates
     double walkable = 1.0;                          // least N.y of what it stands on
     bool rides = false;                             // began on another body
     Vec3 velocity = Vec3::Zero();                   // of its motion in this step, m/s
 
-    const Vec3& radii() const { return member->settings->radii; }
-    bool held() const { return member->state.climbing || member->state.stuck; }
+    const Vec3& radii() const { return settings->radii; }
+    bool held() const { return is_held(member->state) && !member->state.grounded; }
 };
 
 struct Touch {
@@ -77,9 +79,9 @@ double shift(const MovementScene& scene, Body& body, const Vec3& move) {
     if (length == 0.0 || body.held()) return 0.0;
     PlayerState here = body.member->state;
     here.position = body.end;
-    const Surroundings around(scene, *body.member->settings, here.position, length);
+    const Surroundings around(scene, *body.settings, here.position, length);
     Mover mover({.scene = scene,
-                 .settings = *body.member->settings,
+                 .settings = *body.settings,
                  .state = here,
                  .trace = nullptr,
                  .dt = 1.0,
@@ -220,6 +222,7 @@ void step_crowd(const MovementScene& scene, std::span<CrowdMember> members, doub
     for (CrowdMember& member : members) {
         const PlayerState& state = member.state;
         Body body{.member = &member,
+                  .settings = member.settings,
                   .begin = position_in_scene(scene, state),
                   .walkable = slope_cosine(member.settings->max_slope),
                   .rides = state.grounded && state.carrier == Carrier::character};
@@ -240,6 +243,11 @@ void step_crowd(const MovementScene& scene, std::span<CrowdMember> members, doub
             bodies[i].end = position_in_scene(scene, member.state);
         }
     });
+    std::deque<MovementSettings> crouched;
+    for (Body& body : bodies)
+        if (body.member->state.crouched)
+            body.settings =
+                &crouched.emplace_back(settings_of_body(*body.member->settings, body.member->state));
     carry_riders(scene, bodies, dt);
     const auto pairs = near_pairs(bodies);
     for (const auto& [i, k] : pairs)

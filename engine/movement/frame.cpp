@@ -77,7 +77,7 @@ void change_frame(Mover& mover) {
     if (from == to || state.carrier == Carrier::unknown) return;
     mover.velocity += from - to;
     // What is caught has the velocity of what caught it.
-    if (mover.stuck || mover.climbing) mover.velocity = Vec3::Zero();
+    if (holds_on && !mover.grounded) mover.velocity = Vec3::Zero();
 }
 
 }  // namespace slipface

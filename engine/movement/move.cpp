@@ -106,7 +106,8 @@ bool stands_by_friction(const Mover& mover, const Drive& drive) {
 
 // What contacts and height leave of the velocity.
 void settle(Mover& mover, const Drive& drive, const Vec3& from) {
-    if (stands_by_friction(mover, drive) && mover.wish.isZero(0.0)) coast(mover, from, drive);
+    if (stands_by_friction(mover, drive) && mover.wish.isZero(0.0) && mover.dashed == 0.0)
+        coast(mover, from, drive);
     // In the air nothing but speed pays for the height that a ramp gives; a wall that is slid along may lift.
     const bool flying = !mover.was_grounded && !mover.grounded && !mover.on_wall && mover.contacts > 0;
     // Where the ground was left, a fall has the height that the slope's pull had counted on.
@@ -121,6 +122,8 @@ void move_player(Mover& mover, const Drive& drive) {
     const Vec3 from = mover.position;
     if (drive.kind == Drive::Kind::climb) {
         climb(mover);
+    } else if (drive.kind == Drive::Kind::hang) {
+        hang(mover, drive.move);
     } else if (drive.kind == Drive::Kind::walk) {
         if (drive.split) {
             move_split(mover, drive.move);

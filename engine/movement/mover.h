@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "slipface/collision/neighbourhood.h"
+#include "slipface/collision/posed.h"
 #include "slipface/movement/step.h"
 
 namespace slipface {
@@ -36,6 +37,8 @@ struct Given {
     // The part of the step that this is: fractions of the step, which is `step_s` long.
     double since = 0.0, until = 1.0;
     double step_s = 0.0;
+    ButtonSet buttons{};
+    bool dash_pressed = false;
 };
 
 // Carried: what the phases change one after the other, and what becomes the new state. Hacks that try a move
@@ -46,6 +49,7 @@ struct Motion {
     bool grounded = false;
     bool climbing = false;
     bool stuck = false;
+    bool hanging = false;
     bool hazard = false;
     bool bounced = false;
     bool kept_energy = false;
@@ -57,7 +61,8 @@ struct Motion {
     Support support;
     Vec3 air_frame =
         Vec3::Zero();  // of the ground that was left, in the frame of the step; then of the new state
-    double support_rise = 0.0;  // of the point stood on above the ellipsoid's lowest point, m
+    // Of the point stood on, or of the ledge held, above the ellipsoid's lowest point, m.
+    double support_rise = 0.0;
 };
 
 // Platforms that a step can touch.
@@ -115,11 +120,16 @@ struct Scratch {
     bool air_jumped = false;
     bool on_wall = false;            // slides down one or jumps off one
     Vec3 jumped_off = Vec3::Zero();  // the horizontal direction out of the wall that a jump starts from
-    bool began_free = false;         // touched nothing where it began, not even from behind
-    bool pressed = false;            // a platform that moves overlaps the player, who could not give way
-    FaceId presser = no_id;          // of the platform that does so
-    bool swallowed = false;          // one has run past it
-    bool on_ladder = false;          // the move climbs: ladders are slid along instead of grabbed
+    double dash_s = 0.0;             // left of a dash after the part
+    double dashed = 0.0;             // fraction of the part for which it moves the player; 0: no dash
+    bool dash_began = false;
+    double mantle_s = 0.0;    // left of the climb onto a ledge
+    bool dropping = false;    // one-sided faces are not seen
+    bool began_free = false;  // touched nothing where it began, not even from behind
+    bool pressed = false;     // a platform that moves overlaps the player, who could not give way
+    FaceId presser = no_id;   // of the platform that does so
+    bool swallowed = false;   // one has run past it
+    bool on_ladder = false;   // the move climbs: ladders are slid along instead of grabbed
     std::uint32_t ignored_platform = no_id;  // the one that carries or pushes the player now
     int sweeps = 0;
     int contacts = 0;
@@ -152,7 +162,7 @@ struct Mover : Given, Motion, Scratch, LatestPass {
         position = given.state.position;
         jumping = given.state.jumping;
         trapped = given.state.trapped;
-        support_rise = given.state.grounded ? given.state.ground_rise : 0.0;
+        support_rise = given.state.grounded || given.state.hanging ? given.state.ground_rise : 0.0;
     }
     Motion& motion() { return *this; }
 };
@@ -242,6 +252,7 @@ bool overlaps_scene(const Mover& mover, const Vec3& centre);
 bool is_free(const Mover& mover, const Vec3& centre);  // of one-sided faces, too
 struct SceneRay : RayHit {
     SurfaceId surface = default_surface;
+    std::uint32_t platform = no_id;
 };
 std::optional<SceneRay> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& move);
 // The world that a triangle belongs to, where the part of the step ends.
@@ -368,7 +379,7 @@ std::optional<Vec3> nearest_room(const Mover& mover, double farthest, int rings)
 void move_with_surface(Mover& mover, PlayerState& state);
 // 4. What moves the player: nothing, a ladder, or its own velocity.
 struct Drive {
-    enum class Kind { held, climb, walk } kind = Kind::held;
+    enum class Kind { held, climb, hang, walk } kind = Kind::held;
     Vec3 move = Vec3::Zero();    // displacement, m
     Vec3 driven = Vec3::Zero();  // velocity without this step's gravity, m/s
     double friction = 1.0;       // of the ground stood on
@@ -445,11 +456,8 @@ bool no_deeper_than_steps(const Mover& mover, const Vec3& begin, const Contact& 
 // Jumping. Windows are counted down in the state, so they are exact to the tick at every rate: one of w
 // seconds holds for the w / dt steps after it opened. Repeated subtraction may leave a little of one that has
 // run out.
-inline bool is_held(const PlayerState& state) {
-    return state.grounded || state.climbing || state.stuck;
-}
 inline bool is_held(const Motion& motion) {
-    return motion.grounded || motion.climbing || motion.stuck;
+    return motion.grounded || motion.climbing || motion.stuck || motion.hanging;
 }
 inline bool is_open(double window_s, double dt) {
     return window_s > 1e-6 * dt;
@@ -481,6 +489,24 @@ double push_into(const Mover& mover, const Wall& wall);
 void slide_down_wall(Mover& mover);
 bool stick_is_locked(const Mover& mover);
 
+// Moves. Begins a dash or goes on with it: the mover has its velocity. `jumps`: a jump ends it.
+void dash(Mover& mover, bool jumps);
+void end_dash(Mover& mover);  // at the end of a part that it moves: the speed that remains
+void glide(Mover& mover);
+void drop_through(Mover& mover);
+// A sweep of the mover's body that sees no one-sided faces.
+std::optional<Contact> sweep_dropping(const Mover& mover, std::uint32_t platform, const Vec3& from,
+                                      const Vec3& move);
+bool drops_on(const Mover& mover);
+// The player falls by `move` and holds on to an edge on its way; nothing: it falls on.
+std::optional<Drive> grab_ledge(Mover& mover, const Vec3& move);
+// Of a player that hangs: it hangs on, climbs, or lets go (nothing). False in `jump`: the press is used.
+std::optional<Drive> hang_on(Mover& mover, bool& jump);
+void hang(Mover& mover, const Vec3& move);
+// Crouching changes the body before a step, which then runs under the settings of that body.
+void choose_body(const MovementScene& scene, const MovementSettings& settings, PlayerState& state,
+                 const PlayerInput& input, TraceSink* trace);
+
 // Clocks and counts of hacks: members of the state, and what each is after the step.
 struct Clock {
     double PlayerState::*member;
@@ -495,6 +521,9 @@ double jump_buffer_after(const Mover& mover);
 double wall_x_after(const Mover& mover);
 double wall_z_after(const Mover& mover);
 double wall_lock_after(const Mover& mover);
+double dash_after(const Mover& mover);
+double mantle_after(const Mover& mover);
+std::uint8_t dashes_after(const Mover& mover);
 std::uint8_t air_jumps_after(const Mover& mover);
 inline constexpr auto clocks = std::to_array<Clock>({
     {&PlayerState::coyote_s, coyote_after},
@@ -502,9 +531,12 @@ inline constexpr auto clocks = std::to_array<Clock>({
     {&PlayerState::wall_x, wall_x_after},
     {&PlayerState::wall_z, wall_z_after},
     {&PlayerState::wall_lock_s, wall_lock_after},
+    {&PlayerState::dash_s, dash_after},
+    {&PlayerState::mantle_s, mantle_after},
 });
 inline constexpr auto counts = std::to_array<Count>({
     {&PlayerState::air_jumps, air_jumps_after},
+    {&PlayerState::dashes, dashes_after},
 });
 
 }  // namespace slipface

@@ -26,7 +26,10 @@ PlayerState state_after(const Mover& mover) {
     after.stuck = mover.stuck;
     after.jump_held = mover.jump_held;
     after.hazard = mover.hazard;
-    after.jumping = mover.jumping && !mover.grounded && !mover.climbing && !mover.stuck;
+    after.jumping = mover.jumping && !is_held(mover);
+    after.dash_held = mover.settings.dash && mover.buttons.has(Button::dash);
+    after.hanging = mover.hanging;
+    after.dropping = drops_on(mover);
     after.trapped = mover.trapped;
     after.crushed = mover.crushed;
     if (is_held(mover)) {
@@ -40,7 +43,7 @@ PlayerState state_after(const Mover& mover) {
         after.ground_face = mover.support.face;
         after.ground_surface = mover.support.surface;
         after.ground_platform = mover.support.platform;
-        after.ground_rise = mover.grounded ? mover.support_rise : 0.0;
+        after.ground_rise = mover.grounded || mover.hanging ? mover.support_rise : 0.0;
     }
     for (const Clock& clock : clocks)
         after.*clock.member = clock.after(mover);
@@ -61,6 +64,7 @@ PlayerState accept(Mover& mover, const Vec3& safe, bool room_above_terrain) {
     after.velocity = Vec3::Zero();
     after.air_frame += mover.frame;
     after.jump_held = mover.jump_held;
+    after.dash_held = mover.settings.dash && mover.buttons.has(Button::dash);
     after.hazard = mover.hazard;
     after.trapped = mover.trapped;
     after.crushed = mover.crushed;

@@ -22,6 +22,13 @@ void each_world(const Mover& mover, const Vec3& from, const Vec3& move, Visit&& 
     });
 }
 
+template <class World>
+std::optional<Contact> sweep_body(const Mover& mover, const World& world, std::uint32_t platform,
+                                  const Vec3& from, const Vec3& move) {
+    return mover.dropping ? sweep_dropping(mover, platform, from, move)
+                          : sweep_ellipsoid(world, mover.settings.radii, from, move);
+}
+
 TriangleId number_in_mesh(TriangleId triangle, std::span<const TriangleId> triangles) {
     return triangle < triangles.size() ? triangles[triangle] : triangle;
 }
@@ -113,7 +120,7 @@ std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Ve
     std::optional<SceneContact> best;
     each_world(mover, from, move,
                [&](const auto& world, std::uint32_t platform, std::span<const TriangleId> triangles) {
-                   std::optional<Contact> contact = sweep_ellipsoid(world, mover.settings.radii, from, move);
+                   std::optional<Contact> contact = sweep_body(mover, world, platform, from, move);
                    if (!contact) return;
                    // The numbers in the world are wanted by the seam filter, those of the mesh by everybody
                    // else.
@@ -193,7 +200,7 @@ std::optional<SceneRay> ray_in_scene(const Mover& mover, const Vec3& from, const
                [&](const auto& world, std::uint32_t platform, std::span<const TriangleId> triangles) {
                    const std::optional<RayHit> hit = cast_ray(world, from, motion, best ? best->t : 1.0);
                    if (!hit || (best && !(hit->t < best->t))) return;
-                   best = SceneRay{*hit, world_of(mover, platform).face_surface(hit->face)};
+                   best = SceneRay{*hit, world_of(mover, platform).face_surface(hit->face), platform};
                    best->triangle = number_in_mesh(hit->triangle, triangles);
                });
     return best;

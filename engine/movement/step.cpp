@@ -47,11 +47,9 @@ void trace_sector(const MovementScene& scene, const PlayerState& before, const P
                               .limit = 0.5 * scene.sectors.size});
 }
 
-}  // namespace
-
-StepResult step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
-                const PlayerInput& input, double dt, TraceSink* trace) {
-    if (!usable(settings) || !usable(state, input, dt)) return {.state = state};
+// With the body that the settings have.
+StepResult step_with_body(const MovementScene& scene, const MovementSettings& settings,
+                          const PlayerState& state, const PlayerInput& input, double dt, TraceSink* trace) {
     const Vec2 wish = at_most_one(input.wish);
     dt = std::min(dt, longest_hitch_s);
     const double walkable_cosine = slope_cosine(settings.max_slope);
@@ -94,7 +92,9 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
                      .walkable_cosine = walkable_cosine,
                      .since = part / static_cast<double>(parts),
                      .until = part + 1 == parts ? 1.0 : (part + 1) / static_cast<double>(parts),
-                     .step_s = dt},
+                     .step_s = dt,
+                     .buttons = input.buttons,
+                     .dash_pressed = input.buttons.has(Button::dash) && !before.dash_held},
                     around);
         mover.began_free = free;
         move_with_platforms(mover, before);
@@ -118,6 +118,23 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     result.state.crushed = crushed;
     put_in_scene(scene, result.state.position, result.state);
     trace_sector(scene, state, result.state, trace);
+    return result;
+}
+
+}  // namespace
+
+StepResult step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
+                const PlayerInput& input, double dt, TraceSink* trace) {
+    if (!usable(settings) || !usable(state, input, dt)) return {.state = state};
+    if (!settings.crouch && !state.crouched && trace == nullptr)
+        return step_with_body(scene, settings, state, input, dt, trace);
+    PlayerState begin = state;
+    choose_body(scene, settings, begin, input, trace);
+    if (!begin.crouched) return step_with_body(scene, settings, begin, input, dt, trace);
+    const MovementSettings low = settings_of_body(settings, begin);
+    StepResult result = step_with_body(scene, low, begin, input, dt, trace);
+    result.state.crouched = true;
+    result.state.wants_to_stand = begin.wants_to_stand;
     return result;
 }
 

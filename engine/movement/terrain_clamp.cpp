@@ -20,7 +20,7 @@ bool clamp_to_terrain(Mover& mover, const Vec3& from) {
     }
     const bool walkable = ground->normal.y() >= mover.walkable_cosine;
     const auto stand = [&](Decision outcome) {
-        if (mover.grounded || mover.climbing || mover.stuck) return;
+        if (is_held(mover)) return;
         if (walkable) {
             mover.grounded = true;
             mover.velocity.y() = 0.0;

@@ -29,7 +29,8 @@ struct Parting {
 
 bool same_motion(const PlayerState& a, const PlayerState& b) {
     return a.position == b.position && a.sector == b.sector && a.velocity == b.velocity &&
-           a.grounded == b.grounded && a.climbing == b.climbing && a.stuck == b.stuck;
+           a.grounded == b.grounded && a.climbing == b.climbing && a.stuck == b.stuck &&
+           a.hanging == b.hanging;
 }
 
 std::optional<Parting> parting_of(const Level& before, const Level& now, const Tape& tape) {

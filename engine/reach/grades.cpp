@@ -33,19 +33,51 @@ struct TrialScene {
     CollisionWorld world;
 };
 
-// When a flight jumps again in the air: at the top, which leads highest, or back at the height where it
-// began, which leads farthest.
-enum class Again { never, at_top, at_height };
+// When a flight presses a button again: before it leaves the ground, at its top, which leads highest, back at
+// the height where it began, which leads farthest, or falling along a wall.
+enum class When { never, before, at_top, at_height, at_wall };
 
-// Whether the button is held in the next tick of a flight that began at that height. To press it again it is
-// let go for a tick.
-bool presses(const MovementSettings& settings, const PlayerState& state, double dt, Again again,
-             double height) {
-    if (again == Again::never || state.air_jumps >= settings.air_jumps) return true;
+struct Plan {
+    When jump = When::never, dash = When::never;
+    bool everywhere = false;  // tried long before the edge, too
+};
+
+// Those that the settings allow.
+std::vector<Plan> plans_of(const MovementSettings& settings) {
+    std::vector<When> jumps{When::never}, dashes;
+    if (settings.air_jump) jumps.insert(jumps.end(), {When::at_top, When::at_height});
+    std::vector<Plan> plans;
+    for (const When jump : jumps)
+        plans.push_back({.jump = jump, .everywhere = true});
+    if (settings.wall_jump) {
+        jumps.push_back(When::at_wall);
+        plans.push_back({.jump = When::at_wall});
+    }
+    if (settings.dash) dashes = {When::before, When::at_top, When::at_height};
+    for (const When jump : jumps)
+        for (const When dash : dashes)
+            plans.push_back({.jump = jump, .dash = dash});
+    return plans;
+}
+
+bool is_due(When when, const PlayerState& state, double dt, double height) {
     const double falls = -state.velocity.y();
-    const bool due =
-        falls >= 0.0 && (again == Again::at_top || state.position.y() - 2.0 * dt * falls <= height);
-    return !(due && state.jump_held);
+    if (when == When::never || when == When::before || is_held(state) || !(falls >= 0.0)) return false;
+    if (when == When::at_wall) return state.ground_face != no_id;
+    return when == When::at_top || state.position.y() - 2.0 * dt * falls <= height;
+}
+
+// The buttons in the tick of that number of a flight that began at that height. To press one again it is let
+// go for a tick.
+ButtonSet presses(const MovementSettings& settings, const PlayerState& state, double dt, const Plan& plan,
+                  int tick, double height) {
+    const bool dashes_first = plan.dash == When::before && (tick + 1) * dt < settings.dash_time;
+    const bool again = (plan.jump == When::at_wall || state.air_jumps < settings.air_jumps) &&
+                       is_due(plan.jump, state, dt, height);
+    ButtonSet held{Button::jump, !dashes_first && !(again && state.jump_held)};
+    held.set(Button::dash, (plan.dash == When::before && tick == 0) ||
+                               (!state.dash_held && is_due(plan.dash, state, dt, height)));
+    return held;
 }
 
 // Whether a straight run, with a jump in one of its last ticks before the edge or wall or after it, ends on
@@ -69,16 +101,17 @@ bool masters(const MovementSettings& settings, double dt, double gap, double ris
         if (state.position.y() < -3.0) break;
     }
     if (!jumps) return false;
-    const std::size_t first = trail.size() - std::min<std::size_t>(trail.size(), 2 * branch_ticks);
-    for (const Again again : {Again::never, Again::at_top, Again::at_height}) {
-        if (again != Again::never && !settings.air_jump) break;
-        for (std::size_t from = first; from < trail.size(); ++from) {
+    const std::size_t edge = trail.size() - static_cast<std::size_t>(past);
+    for (const Plan& plan : plans_of(settings)) {
+        const std::size_t before = plan.everywhere ? 2 * branch_ticks - static_cast<std::size_t>(past) : 20;
+        const std::size_t last = plan.everywhere ? trail.size() : std::min(trail.size(), edge + 10);
+        for (std::size_t from = edge - std::min(edge, before); from < last; ++from) {
             state = trail[from];
             for (int i = 0; i < flight_ticks && state.position.y() > -3.0; ++i) {
-                const bool held = presses(settings, state, dt, again, trail[from].position.y());
-                state = step(scene, settings, state, {Vec2(1, 0), {Button::jump, held}}, dt).state;
+                const ButtonSet held = presses(settings, state, dt, plan, i, trail[from].position.y());
+                state = step(scene, settings, state, {Vec2(1, 0), held}, dt).state;
                 if (beyond(state)) return true;
-                if (i > 2 && state.grounded) break;
+                if (i > 2 && state.grounded && state.dash_s == 0.0) break;
             }
         }
     }

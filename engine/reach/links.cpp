@@ -29,12 +29,14 @@ struct Arrival {
 struct Passage {
     std::uint32_t from = no_id;
     std::uint32_t ticks = 0;
-    bool flew = false, jumped = false, jumped_in_air = false, jumped_off_wall = false, climbed = false,
-         rode = false;
+    bool flew = false, jumped = false, jumped_in_air = false, jumped_off_wall = false, dashed = false,
+         crawled = false, hung = false, climbed = false, rode = false;
     double rise = 0.0;  // m/s, after the last tick
 
     std::optional<Arrival> tick(const PlayerState& state, std::uint32_t region) {
         ++ticks;
+        dashed |= state.dash_s > 0.0;
+        crawled |= state.crouched && state.grounded;
         std::optional<Arrival> arrival;
         if (region != no_id) {
             if (from != no_id && region != from) arrival = {from, region, kind(), ticks};
@@ -42,6 +44,7 @@ struct Passage {
         } else if (is_held(state)) {
             rode |= state.ground_platform != no_id;
             climbed |= state.climbing || state.stuck;
+            hung |= state.hanging;
         } else {
             flew = true;
             jumped_in_air |= state.air_jumps > 0;
@@ -54,10 +57,13 @@ struct Passage {
     LinkKind kind() const {
         return rode              ? LinkKind::ride
                : climbed         ? LinkKind::climb
+               : hung            ? LinkKind::ledge
+               : dashed          ? LinkKind::dash
                : jumped_off_wall ? LinkKind::wall_jump
                : jumped_in_air   ? LinkKind::air_jump
                : jumped          ? LinkKind::jump
                : flew            ? LinkKind::drop
+               : crawled         ? LinkKind::crawl
                                  : LinkKind::walk;
     }
 };
@@ -291,12 +297,14 @@ class ReachSearch::Impl::LinkFinder {
         link.begin_tick = report.states.size() - arrival->ticks;
         const PlayerState& left = report.states[link.begin_tick - 1];
         const PlayerState& landed = report.states.back();
-        const Vec3 down(0.0, -impl_.world.level->movement.radii.y(), 0.0);
+        const auto down = [&](const PlayerState& state) {
+            return Vec3(0.0, -body_radii(impl_.world.level->movement, state).y(), 0.0);
+        };
         std::tie(link.from, link.to, link.kind) = arrival->key();
         link.from_face = left.ground_face;
         link.to_face = landed.ground_face;
-        link.begin = impl_.scene.to_level(left) + down;
-        link.end = impl_.scene.to_level(landed) + down;
+        link.begin = impl_.scene.to_level(left) + down(left);
+        link.end = impl_.scene.to_level(landed) + down(landed);
         link.velocity = motion_velocity(left);
         link.time_s = arrival->ticks * impl_.world.options.dt;
         return link;

@@ -57,6 +57,7 @@ class Roller {
           settings_(world.level->movement),
           dt_(world.options.dt),
           in_air_(jumps_in_air(settings_)),
+          others_(buttons_read(settings_)),
           flight_(static_cast<std::uint32_t>(
               std::clamp(2.0 * settings_.jump_speed / std::max(settings_.gravity * dt_, 1e-9), 3.0,
                          1.0 * longest_flight))),
@@ -65,7 +66,9 @@ class Roller {
           from_(from),
           returns_(known.archive.nodes[from].returns),
           harvest_(harvest),
-          watcher_(watcher) {}
+          watcher_(watcher) {
+        others_.set(Button::jump, false);
+    }
 
     Cursor begin() const {
         const ReachNode& node = known_.archive.nodes[from_];
@@ -81,7 +84,11 @@ class Roller {
 
     // One tick. False when the roll-out is over: out of the level, killed, or too many inputs.
     bool tick(Cursor& cursor, std::uint8_t stick, bool jump) {
-        const auto buttons = static_cast<std::uint8_t>(ButtonSet(Button::jump, jump).bits);
+        ButtonSet held(Button::jump, jump);
+        const std::uint32_t age = cursor.tick - known_.archive.nodes[from_].tick;
+        for (const Pulse& pulse : pulses_)
+            if (age >= pulse.begin && age < pulse.end) held = held | pulse.button;
+        const auto buttons = static_cast<std::uint8_t>(held.bits);
         if (!cursor.alive || !press(cursor, stick, buttons)) return cursor.alive = false;
         const MovementScene& now = scenes_.at(cursor.tick);
         const bool rose = cursor.state.velocity.y() > 0.0;
@@ -133,6 +140,16 @@ class Roller {
         }
         // What was landed on may slide, carry or be left again at once.
         go(cursor, 4, then, false, false);
+    }
+
+    // Turned at most `latest` ticks after it begins; without a stick towards any side.
+    void random_jump(const Cursor& cursor, std::optional<std::uint8_t> stick, std::uint32_t latest,
+                     std::uint32_t press, ReachRandom& random) {
+        // Drawn one by one: the arguments of one call have no order.
+        const std::uint8_t then = steer(random);
+        const std::uint32_t turn = random.below(latest), held = hold(random);
+        if (!stick) stick = steer(random);
+        jump(cursor, *stick, held, turn, then, press);
     }
 
     // Runs until an edge or an obstacle, and jumps from before it, at it and after it.
@@ -191,30 +208,50 @@ class Roller {
             case 0:
             case 1: return run_and_branch(begin, full_stick(stick), 12 + random.below(36), &random);
             case 2: {  // a turn before the edge
-                go(cursor, 2 + random.below(20), steer(random), false, false);
+                const std::uint8_t first = steer(random);
+                go(cursor, 2 + random.below(20), first, false, false);
                 if (cursor.alive) run_and_branch(cursor, full_stick(stick), 12 + random.below(36), &random);
                 return;
             }
             case 3: {
                 const std::uint32_t press = again(random);
-                return jump(cursor, stick, hold(random), random.below(48), steer(random), press);
+                return random_jump(cursor, stick, 48, press, random);
             }
             case 4: {  // a jump on landing from a jump
                 const std::uint8_t then = steer(random);
                 for (std::uint32_t i = 0; i < longest_flight; ++i)
                     if (!tick(cursor, stick, i < 2) || (i > 1 && is_held(cursor.state))) break;
-                return jump(cursor, then, hold(random), random.below(48), steer(random));
+                return random_jump(cursor, then, 48, 0, random);
             }
             case 5: return void(go(cursor, 10 + random.below(60), stick, false, false));
             case 6: {
                 for (int leg = 0; leg < 6; ++leg) {
                     const bool jumps = random.below(3) == 0;
-                    if (!go(cursor, 4 + random.below(28), steer(random), jumps, false)) return;
+                    const std::uint8_t way = steer(random);
+                    if (!go(cursor, 4 + random.below(28), way, jumps, false)) return;
                 }
                 return void(go(cursor, longest_flight, steer(random), false, true));
             }
             default: return void(go(cursor, 10 + random.below(110), stick_at_rest, false, false));
         }
+    }
+
+    // Where the settings read more buttons, each visit comes in pairs: without them and with some of them.
+    void visit_with_buttons(std::uint32_t number) {
+        pulses_.fill({});
+        if (others_.bits == 0) return visit(number);
+        if (number % 2 == 1) {
+            ReachRandom random(mix(mix(world_.options.seed, from_), 0x10000 + number));
+            std::size_t used = 0;
+            for (const ButtonInfo& info : button_table()) {
+                if (!others_.has(info.button) || used == pulses_.size()) continue;
+                if (random.below(3) == 0) continue;
+                const std::uint32_t begin = random.below(2) * random.below(48);
+                const std::uint32_t length = 1U << random.below(9);
+                pulses_[used++] = {info.button, begin, begin + length};
+            }
+        }
+        visit(number / 2);
     }
 
     // What is tried on the visit of that number: first all that is cheap and systematic, then chance.
@@ -232,7 +269,7 @@ class Roller {
             }
             if (number >= 12) {
                 const std::uint32_t press = again(random);
-                return jump(begin, steer(random), hold(random), random.below(60), steer(random), press);
+                return random_jump(begin, std::nullopt, 60, press, random);
             }
             const std::uint8_t stick = number < 8 ? main : number == 8 ? stick_at_rest : steer(random);
             return void(go(cursor, longest_flight, stick, false, true));
@@ -242,7 +279,7 @@ class Roller {
             go(cursor, 6 + random.below(40), stick_at_rest, false, false);
         if (!cursor.alive) return;
         if (number < 8) return void(go(cursor, state.grounded ? 16 : 40, main, false, false));
-        if (state.climbing || state.stuck) {
+        if (!state.grounded) {
             if (number < 16) return jump(cursor, main, longest_flight, longest_flight, main);
         } else if (number < 24) {
             return run_and_branch(cursor, full_stick(spread[(number - 8) % 16]), 14, nullptr);
@@ -405,7 +442,14 @@ class Roller {
     const ReachWorld& world_;
     const MovementSettings& settings_;
     double dt_;
-    bool in_air_;           // jumps start in the air, too
+    bool in_air_;       // jumps start in the air, too
+    ButtonSet others_;  // that the settings read beside jump
+    // Buttons that a visit holds for a time, in ticks since it began.
+    struct Pulse {
+        ButtonSet button{};
+        std::uint32_t begin = 0, end = 0;
+    };
+    std::array<Pulse, 4> pulses_{};
     std::uint32_t flight_;  // ticks of a jump over level ground
     TickScenes& scenes_;
     const ReachKnown& known_;
@@ -470,7 +514,8 @@ std::uint64_t ReachWorld::cell_key(const MovementScene& scene, const PlayerState
     const bool held = is_held(state);
     const Vec3 at = position_in_scene(scene, state);
     const double size = held ? cell_m : 2.0 * cell_m;
-    std::uint64_t key = state.grounded ? 1 : state.climbing ? 2 : state.stuck ? 3 : 4;
+    std::uint64_t key = state.grounded ? 1 : state.climbing ? 2 : state.stuck ? 3 : state.hanging ? 5 : 4;
+    if (state.crouched) key = mix(key, 6);
     for (int axis = 0; axis < 3; ++axis)
         key = mix(key, grid(at[axis], axis == 1 ? std::min(size, 1.0) : size));
     if (state.grounded || !held) {
@@ -486,6 +531,8 @@ std::uint64_t ReachWorld::cell_key(const MovementScene& scene, const PlayerState
         if (!held) key = mix(key, static_cast<std::uint64_t>(std::llround(state.velocity.y() / 4.0)));
         // What is left of the abilities.
         if (state.air_jumps > 0) key = mix(key, 256u + state.air_jumps);
+        if (state.dashes > 0) key = mix(key, 512u + state.dashes);
+        if (state.dash_s > 0.0) key = mix(key, 7);
         if (state.wall_x != 0.0 || state.wall_z != 0.0)
             key = mix(mix(key, grid(state.wall_x, 0.5)), grid(state.wall_z, 0.5));
     }
@@ -505,7 +552,7 @@ void roll_out(const ReachWorld& world, TickScenes& scenes, const ReachKnown& kno
               std::uint32_t first, std::uint32_t last, Harvest& harvest, const TickWatcher* watcher) {
     Roller roller(world, scenes, known, from, harvest, watcher);
     for (std::uint32_t number = first; number < last; ++number)
-        roller.visit(number);
+        roller.visit_with_buttons(number);
 }
 
 }  // namespace slipface

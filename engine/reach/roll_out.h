@@ -49,10 +49,6 @@ struct ReachWorld {
     bool changes() const { return !moving.empty(); }
 };
 
-inline bool is_held(const PlayerState& state) {
-    return state.grounded || state.climbing || state.stuck;
-}
-
 // A state that a roll-out came to, worth keeping: in a new cell, on a new face, at a goal, or sooner.
 struct Found {
     ReachNode node;  // parent: where the roll-out began

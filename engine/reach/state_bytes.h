@@ -74,9 +74,9 @@ inline void put_state(StateWriter& to, const PlayerState& state) {
         to.put(state.*member);
     for (const std::int32_t number : state.sector)
         to.put(number);
-    std::uint8_t flags = 0;
+    std::uint16_t flags = 0;
     for (const auto member : PlayerState::flags)
-        flags = static_cast<std::uint8_t>(flags * 2 + (state.*member ? 1 : 0));
+        flags = static_cast<std::uint16_t>(flags * 2 + (state.*member ? 1 : 0));
     to.put(flags);
     to.put(state.ground_face);
     to.put(state.ground_surface);
@@ -94,8 +94,8 @@ inline PlayerState get_state(StateReader& from, const Level& level) {
         state.*member = from.vector("a coordinate of a state");
     for (std::int32_t& number : state.sector)
         number = from.get<std::int32_t>();
-    static_assert(PlayerState::flags.size() <= 8, "a byte holds them");
-    auto flags = from.up_to<std::uint8_t>((1U << PlayerState::flags.size()) - 1, "the flags of a state");
+    static_assert(PlayerState::flags.size() <= 16, "two bytes hold them");
+    auto flags = from.up_to<std::uint16_t>((1U << PlayerState::flags.size()) - 1, "the flags of a state");
     for (auto member = PlayerState::flags.rbegin(); member != PlayerState::flags.rend(); ++member) {
         state.*(*member) = flags % 2 != 0;
         flags /= 2;

@@ -1,6 +1,6 @@
 // Searches on disk, so that they can go on.
 //
-//   slipface-reach 1 IDENTITY BYTES HASH\n      (of the level and its settings; of the body, before packing)
+//   slipface-reach 2 IDENTITY BYTES HASH\n      (of the level and its settings; of the body, before packing)
 //   report as JSON, one line\n                  (for people and for `reach diff`)
 //   packed body
 #include <fmt/format.h>
@@ -21,7 +21,7 @@
 namespace slipface {
 namespace {
 
-constexpr std::string_view magic = "slipface-reach 1";
+constexpr std::string_view magic = "slipface-reach 2";
 constexpr std::uint64_t max_body = std::uint64_t{16} << 30;
 
 void put_reached(StateWriter& to, const std::vector<Reached>& list) {

@@ -7,7 +7,7 @@ namespace slipface {
 std::span<const DemoInfo> demo_table() {
     static const std::vector<DemoInfo> table = [] {
         std::vector<DemoInfo> all;
-        for (const auto demos : {ground_demos(), air_demos()})
+        for (const auto demos : {ground_demos(), air_demos(), move_demos()})
             all.insert(all.end(), demos.begin(), demos.end());
         return all;
     }();

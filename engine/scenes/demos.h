@@ -7,6 +7,7 @@ namespace slipface {
 // One row per demo, with all that it shows; demo_table() joins them.
 std::span<const DemoInfo> ground_demos();
 std::span<const DemoInfo> air_demos();
+std::span<const DemoInfo> move_demos();
 
 // Builds a demo from a level, the player's start, the inputs ("60 wish 0,-1" lines of a tape) and a camera.
 Demo demo_of(Level level, const Vec3& spawn, const MovementSettings& on, const char* inputs, const Vec3& eye,

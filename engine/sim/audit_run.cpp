@@ -219,7 +219,7 @@ void AuditRun::find(AuditFinding finding) {
 
 void AuditRun::note_exit(const AuditTick& now, const PlayerState& before, const PlayerState& after) {
     const auto& [level, scene, rides] = now;
-    if (after.grounded || after.climbing || after.stuck) last_ground_ = after.ground_face;
+    if (is_held(after)) last_ground_ = after.ground_face;
     const Vec3 at = position_in_scene(scene, after);
     if (!is_outside(arena_->level_bounds, at)) {
         exit_.reset();
@@ -236,6 +236,8 @@ void AuditRun::check(const AuditTick& now, const PlayerState& before, const Tick
     const PlayerState& after = result.stepped;
     const Vec3 at = position_in_scene(scene, after);
     const Vec3 from = position_in_scene(scene, before);
+    // Where the body changes, the lower one is in both.
+    const MovementSettings body = settings_of_body(settings_, before.crouched ? before : after);
     // A platform that leaves a walker no room passes through it, and the walker's state is "trapped". That is
     // counted as hazards are; then only static geometry must hold.
     if (after.crushed) ++crushed_;
@@ -244,18 +246,19 @@ void AuditRun::check(const AuditTick& now, const PlayerState& before, const Tick
     // Nothing can have gone wrong where nothing moved.
     if (at != from || !scene.platforms.empty()) {
         if (const auto passed =
-                passed_through(scene, rides, settings_, before, input, arena_->options.dt, at, against))
+                passed_through(scene, rides, body, before, input, arena_->options.dt, at, against))
             find(finding_now(FindingKind::passed_through, level.to_level(after), passed));
         // The step's last check asked the same question of the same worlds with the whole ellipsoid. What it
         // found free holds nothing for a smaller one to overlap; tst_audit.cpp holds it to its word.
-        const auto overlap =
-            result.end_is_free ? std::nullopt : overlaps_deeply(scene, settings_, at, against);
+        const auto overlap = result.end_is_free
+                                 ? std::nullopt
+                                 : overlaps_deeply(scene, settings_of_body(settings_, after), at, against);
         if (overlap) find(finding_now(FindingKind::overlap, level.to_level(after), overlap));
     }
-    if (const auto seconds = watch_.tick(scene, settings_, at, after.stuck, input)) {
+    if (const auto seconds = watch_.tick(scene, body, at, after.stuck, input)) {
         AuditFinding stuck = finding_now(FindingKind::stuck, level.to_level(after));
         stuck.amount = *seconds;
-        std::tie(stuck.face, stuck.other) = holding_faces(scene, settings_, at);
+        std::tie(stuck.face, stuck.other) = holding_faces(scene, body, at);
         find(std::move(stuck));
     }
 }
@@ -263,7 +266,8 @@ void AuditRun::check(const AuditTick& now, const PlayerState& before, const Tick
 void AuditRun::add_heat(std::vector<FaceHeat>& heat, const MovementScene& scene, const PlayerState& before,
                         const PlayerState& after, const PlayerInput& input) const {
     const Vec3 at = position_in_scene(scene, after);
-    const bool held = after.grounded || after.climbing || after.stuck;
+    const bool held = is_held(after);
+    const Vec3 radii = body_radii(settings_, after);
     if (held && after.ground_face < heat.size()) {
         FaceHeat& face = heat[after.ground_face];
         ++face.stood;
@@ -271,7 +275,7 @@ void AuditRun::add_heat(std::vector<FaceHeat>& heat, const MovementScene& scene,
         if ((at - position_in_scene(scene, before)).norm() < 0.1 * requested) ++face.stuck;
     }
     if (!held && before.velocity.y() <= 0.0) {
-        const auto below = first_contact(scene, settings_.radii, at, Vec3(0.0, -near_ground, 0.0));
+        const auto below = first_contact(scene, radii, at, Vec3(0.0, -near_ground, 0.0));
         if (below && below->face < heat.size() && below->normal.y() >= std::cos(settings_.max_slope))
             ++heat[below->face].missed_ground;
     }

@@ -33,6 +33,8 @@ Walker::Walker(std::uint64_t seed, std::uint32_t number, std::uint32_t life, dou
       ticks_a_second_(std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::lround(1.0 / dt)))),
       longest_pause_(jumps_in_air(settings) ? ticks_a_second_ : 4 * ticks_a_second_) {
     press_in_ = random_.below(longest_pause_);
+    others_ = buttons_read(settings);
+    others_.set(Button::jump, false);
 }
 
 PlayerInput Walker::next() {
@@ -49,6 +51,9 @@ PlayerInput Walker::next() {
     }
     --press_in_;
     input_.buttons.set(Button::jump, held_for_ > 0);
+    for (const ButtonInfo& info : button_table())
+        if (others_.has(info.button) && random_.below(ticks_a_second_ / 2 + 1) == 0)
+            input_.buttons.set(info.button, random_.below(2) == 0);
     return input_;
 }
 

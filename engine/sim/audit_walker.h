@@ -20,7 +20,8 @@ class WalkerRandom {
 };
 
 // Changes its heading about once per second, jumps about every two seconds, four times as often where jumps
-// start in the air, too, and sometimes walks slowly.
+// start in the air, too, and sometimes walks slowly. What other buttons the settings read it holds now and
+// then for up to a second.
 class Walker {
   public:
     Walker(std::uint64_t seed, std::uint32_t number, std::uint32_t life, double dt,
@@ -35,6 +36,7 @@ class Walker {
     std::uint64_t press_in_ = 0;   // ticks to the next jump
     std::uint64_t held_for_ = 0;   // ticks that the jump stays pressed
     PlayerInput input_;
+    ButtonSet others_;  // that the settings read, beside jump
 };
 
 }  // namespace slipface

@@ -43,7 +43,8 @@ constexpr RunChannel channels[] = {
      }},
     {"height", "Height", "m", "Of the feet, in the level's coordinates", false,
      [](const TapeRun& run, std::size_t tick) {
-         return at(run, tick).position.y() - run.settings().radii.y();
+         const TickSample& sample = at(run, tick);
+         return sample.position.y() - body_radii(run.settings(), {.crouched = sample.crouched}).y();
      }},
     {"vertical_speed", "Vertical speed", "m/s", "Upwards", false,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).velocity.y(); }},
@@ -67,6 +68,10 @@ constexpr RunChannel channels[] = {
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).climbing ? 1.0 : 0.0; }},
     {"stuck", "", "", "1 while a sticky surface holds the player", true,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).stuck ? 1.0 : 0.0; }},
+    {"hanging", "", "", "1 while the player hangs from a ledge", true,
+     [](const TapeRun& run, std::size_t tick) { return at(run, tick).hanging ? 1.0 : 0.0; }},
+    {"crouched", "", "", "1 while the body is crouched", true,
+     [](const TapeRun& run, std::size_t tick) { return at(run, tick).crouched ? 1.0 : 0.0; }},
     {"push_outs", "", "", "How often the player was pushed out of geometry", true,
      [](const TapeRun& run, std::size_t tick) { return static_cast<double>(at(run, tick).push_outs); }},
 };

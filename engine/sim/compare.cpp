@@ -12,8 +12,8 @@ constexpr double unseen_m = 1e-3, unseen_m_s = 0.01;
 
 bool same(const TickSample& a, const TickSample& b) {
     return a.position == b.position && a.velocity == b.velocity && a.grounded == b.grounded &&
-           a.climbing == b.climbing && a.stuck == b.stuck && a.ground_face == b.ground_face &&
-           a.respawned == b.respawned;
+           a.climbing == b.climbing && a.stuck == b.stuck && a.hanging == b.hanging &&
+           a.crouched == b.crouched && a.ground_face == b.ground_face && a.respawned == b.respawned;
 }
 
 // What came of some ticks.

@@ -28,7 +28,7 @@ struct NumberRow {
     double least, maximum;  // of the extreme; as stored
     double step;
 };
-constexpr std::array<NumberRow, 13> number_rows{{
+constexpr auto number_rows = std::to_array<NumberRow>({
     {"max_slope", "", 4.0, 0.0, 89.0 * degree, 0.1 * degree},
     {"step_height", "", 4.0, 0.0, 1.2, 0.01},
     {"snap_distance", "", 4.0, 0.0, 1.2, 0.01},
@@ -42,7 +42,24 @@ constexpr std::array<NumberRow, 13> number_rows{{
     {"gravity", "", 0.4, 0.0, 100.0, 0.1},
     {"air_acceleration", "", 10.0, 0.0, 500.0, 1.0},
     {"walk_speed", "", 2.5, 0.0, 100.0, 0.1},
-}};
+});
+// Of abilities: one that is off is no question of its numbers.
+constexpr auto ability_rows = std::to_array<NumberRow>({
+    {"air_jumps", "", 4.0, 1.0, 100.0, 1.0},
+    {"air_jump_speed", "", 2.0, 0.0, 50.0, 0.1},
+    {"wall_slide_speed", "", 0.25, 0.0, 50.0, 0.1},
+    {"wall_jump_up", "", 2.0, 0.0, 50.0, 0.1},
+    {"wall_jump_away", "", 2.0, 0.0, 50.0, 0.1},
+    {"wall_jump_reach", "", 5.0, 0.01, 1.0, 0.01},
+    {"dash_speed", "", 2.5, 0.0, 100.0, 0.1},
+    {"dash_time", "", 2.5, 0.0, 5.0, 0.01},
+    {"dashes", "", 4.0, 0.0, 100.0, 1.0},
+    {"crouch_radius_y", "", 0.4, 0.05, 5.0, 0.01},
+    {"crouch_speed", "", 2.5, 0.0, 100.0, 0.1},
+    {"ledge_hands", "", 3.0, 0.0, 5.0, 0.01},
+    {"ledge_reach", "", 5.0, 0.01, 2.0, 0.01},
+    {"glide_speed", "", 0.25, 0.0, 50.0, 0.1},
+});
 
 // Whether a number is what a designer would look at first for such a stop.
 bool fits(const Loss& loss, std::string_view number) {
@@ -89,7 +106,11 @@ void add_switches(std::vector<CureCandidate>& all, const MovementSettings& setti
 }
 
 void add_numbers(std::vector<CureCandidate>& all, const MovementSettings& settings, const Loss& loss) {
-    for (const NumberRow& row : number_rows) {
+    std::vector<NumberRow> rows(number_rows.begin(), number_rows.end());
+    for (const NumberRow& row : ability_rows)
+        if (get_setting(settings, *find_setting(find_setting(row.name)->switch_name)) != 0.0)
+            rows.push_back(row);
+    for (const NumberRow& row : rows) {
         const SettingInfo* info = find_setting(row.name);
         CureCandidate c;
         c.numbers = {info};

@@ -164,7 +164,7 @@ class Reader {
         for (const DecisionRecord& steep : steep_)
             if (steep.face == maximum.face) loss.because = steep;
 
-        loss.in_air = !trace_.before.grounded && !trace_.before.climbing && !trace_.before.stuck;
+        loss.in_air = !is_held(trace_.before);
         const bool aside = contact.normal.y() < slope_normal_y;
         if (maximum.rule == Rule::stick) {
             loss.cause = StopCause::sticky;

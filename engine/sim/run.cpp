@@ -53,6 +53,8 @@ TickSample sample_of(const TickScene& scene, const TickResult& result) {
     sample.grounded = state.grounded;
     sample.climbing = state.climbing;
     sample.stuck = state.stuck;
+    sample.hanging = state.hanging;
+    sample.crouched = state.crouched;
     sample.respawned = result.respawn != Respawn::none;
     sample.contacts = static_cast<std::uint8_t>(std::clamp(result.contacts, 0, 255));
     return sample;
@@ -227,6 +229,8 @@ TickTrace TapeRun::trace_from(const TickScene& scene, std::size_t tick, const Pl
     TraceRecorder recorder;
     trace.after = play_tick(scene.at(tick, tape_->dt), trace.settings, trace.before, trace.input, tape_->dt,
                             run_start(scene, start_), &recorder);
+    // What tells of the tick asks about the body that it moved.
+    trace.settings = settings_of_body(trace.settings, trace.after.stepped);
     trace.from = scene.to_level(trace.before);
     trace.to = scene.to_level(trace.after.stepped);
     trace.records = std::move(recorder.records);

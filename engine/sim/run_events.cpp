@@ -18,38 +18,60 @@ struct Reported {
     const char* word;
     bool idle_only = false;  // only while the stick is at rest
 };
-constexpr std::array<Reported, 32> reported{{{Decision::bounced, "bounced"},
-                                             {Decision::bounce_off, "no bounce"},
-                                             {Decision::bounce_too_slow, "no bounce"},
-                                             {Decision::stuck, "stuck"},
-                                             {Decision::hazard_touched, "hazard"},
-                                             {Decision::ladder_grabbed, "climbed"},
-                                             {Decision::ladder_passed, "not climbed"},
-                                             {Decision::ladder_overhead, "not climbed"},
-                                             {Decision::ladder_ended, "left the ladder"},
-                                             {Decision::ladder_top, "left the ladder"},
-                                             {Decision::ladder_beside, "left the ladder"},
-                                             {Decision::ladder_ground, "left the ladder"},
-                                             {Decision::ladder_wall_above, "left the ladder"},
-                                             {Decision::platform_pushed, "pushed"},
-                                             {Decision::platform_crushed, "crushed"},
-                                             {Decision::platform_off, "left behind"},
-                                             {Decision::ground_velocity_lost, "left behind"},
-                                             {Decision::ground_velocity_kept, "kept the ground's velocity"},
-                                             {Decision::platform_carried, "carried", true},
-                                             {Decision::surface_carried, "carried", true},
-                                             {Decision::too_steep_to_stand, "slid off"},
-                                             {Decision::terrain_slid, "slid off"},
-                                             {Decision::nudge_failed, "inside"},
-                                             {Decision::never_inside, "moved back"},
-                                             {Decision::push_out_off, "inside"},
-                                             {Decision::speed_braked, "slowed"},
-                                             {Decision::fell_at_terminal_speed, "slowed"},
-                                             {Decision::energy_capped, "slowed"},
-                                             {Decision::air_control_off, "not steered"},
-                                             {Decision::stepped_up, "stepped up"},
-                                             {Decision::wall_slid, "slid down a wall"},
-                                             {Decision::wall_slide_not_pushed, "fell along a wall"}}};
+constexpr auto reported =
+    std::to_array<Reported>({{Decision::bounced, "bounced"},
+                             {Decision::bounce_off, "no bounce"},
+                             {Decision::bounce_too_slow, "no bounce"},
+                             {Decision::stuck, "stuck"},
+                             {Decision::hazard_touched, "hazard"},
+                             {Decision::ladder_grabbed, "climbed"},
+                             {Decision::ladder_passed, "not climbed"},
+                             {Decision::ladder_overhead, "not climbed"},
+                             {Decision::ladder_ended, "left the ladder"},
+                             {Decision::ladder_top, "left the ladder"},
+                             {Decision::ladder_beside, "left the ladder"},
+                             {Decision::ladder_ground, "left the ladder"},
+                             {Decision::ladder_wall_above, "left the ladder"},
+                             {Decision::platform_pushed, "pushed"},
+                             {Decision::platform_crushed, "crushed"},
+                             {Decision::platform_off, "left behind"},
+                             {Decision::ground_velocity_lost, "left behind"},
+                             {Decision::ground_velocity_kept, "kept the ground's velocity"},
+                             {Decision::platform_carried, "carried", true},
+                             {Decision::surface_carried, "carried", true},
+                             {Decision::too_steep_to_stand, "slid off"},
+                             {Decision::terrain_slid, "slid off"},
+                             {Decision::nudge_failed, "inside"},
+                             {Decision::never_inside, "moved back"},
+                             {Decision::push_out_off, "inside"},
+                             {Decision::speed_braked, "slowed"},
+                             {Decision::fell_at_terminal_speed, "slowed"},
+                             {Decision::energy_capped, "slowed"},
+                             {Decision::air_control_off, "not steered"},
+                             {Decision::stepped_up, "stepped up"},
+                             {Decision::wall_slid, "slid down a wall"},
+                             {Decision::wall_slide_not_pushed, "fell along a wall"},
+                             {Decision::dashed, "dashed"},
+                             {Decision::dash_blocked, "dash stopped"},
+                             {Decision::dashes_used, "no dash"},
+                             {Decision::dash_no_way, "no dash"},
+                             {Decision::dash_held_back, "no dash"},
+                             {Decision::dash_off, "no dash"},
+                             {Decision::crouched, "crouched"},
+                             {Decision::stood_up, "stood up"},
+                             {Decision::crouch_no_room, "wants to stand"},
+                             {Decision::crouch_off, "no crouch"},
+                             {Decision::ledge_grabbed, "grabbed a ledge"},
+                             {Decision::ledge_climbed, "climbed a ledge"},
+                             {Decision::ledge_let_go, "left a ledge"},
+                             {Decision::ledge_lost, "left a ledge"},
+                             {Decision::ledge_no_room, "not climbed"},
+                             {Decision::ledge_forbidden, "no ledge"},
+                             {Decision::ledge_not_steep, "no ledge"},
+                             {Decision::ledge_grab_off, "no ledge"},
+                             {Decision::dropped_through, "dropped through"},
+                             {Decision::drop_through_off, "not dropped through"},
+                             {Decision::glided, "glided"}});
 // What a jump starts with.
 constexpr std::initializer_list<Decision> jump_starts{Decision::jumped, Decision::jumped_off,
                                                       Decision::air_jumped, Decision::wall_jumped};
@@ -216,12 +238,11 @@ class EventReader {
     void read_ground(const TickTrace& trace) {
         const PlayerState& before = trace.before;
         const PlayerState& after = trace.after.stepped;
-        const auto held = [](const PlayerState& s) { return s.grounded || s.climbing || s.stuck; };
-        if (!held(before) && !left_ground_) {  // at the start
+        if (!is_held(before) && !left_ground_) {  // at the start
             left_ground_ = trace.tick;
             highest_ = trace.from.y();
         }
-        if (held(before) && !held(after)) {
+        if (is_held(before) && !is_held(after)) {
             left_ground_ = trace.tick;
             highest_ = trace.to.y();
             if (decided(trace, {Decision::jumped, Decision::jumped_off}) == nullptr && before.grounded) {
@@ -234,9 +255,9 @@ class EventReader {
                 });
             }
         }
-        if (!held(after)) highest_ = std::max(highest_, trace.to.y());
+        if (!is_held(after)) highest_ = std::max(highest_, trace.to.y());
         if (trace.after.respawn != Respawn::none) left_ground_.reset();
-        if (!left_ground_ || !held(after)) return;
+        if (!left_ground_ || !is_held(after)) return;
         const double flew = static_cast<double>(trace.tick - *left_ground_) * run_.dt();
         const double fell = highest_ - trace.to.y();
         const double speed = -before.velocity.y();

@@ -11,10 +11,6 @@ namespace {
 
 constexpr double farthest_fall_m = 60.0;  // below the level and the start
 
-bool holds(const PlayerState& state) {
-    return state.grounded || state.climbing || state.stuck;
-}
-
 // Whole seconds in `ticks` steps of `dt`; the fraction of a tick added keeps 60 steps of 1/60 one second.
 std::size_t whole_seconds(std::size_t ticks, double dt) {
     return static_cast<std::size_t>((static_cast<double>(ticks) + 1e-6) * dt);
@@ -63,7 +59,7 @@ void EventLog::add(std::size_t tick, const PlayerState& before, const PlayerInpu
     const bool jumped_in_air = after.air_jumps > before.air_jumps || after.wall_lock_s > before.wall_lock_s;
     if (jumped_in_air) {
         log(tick, "jump", before);
-    } else if (holds(before) && !holds(after) && input.buttons.has(Button::jump) && !before.jump_held) {
+    } else if (is_held(before) && !is_held(after) && input.buttons.has(Button::jump) && !before.jump_held) {
         log(tick, "jump", before);
     } else if (before.grounded && !after.grounded) {
         log(tick, "leave ground", before);
@@ -71,7 +67,10 @@ void EventLog::add(std::size_t tick, const PlayerState& before, const PlayerInpu
     if (after.grounded && !before.grounded) log(tick, "land", after);
     if (after.climbing && !before.climbing) log(tick, "climb", after);
     if (after.stuck && !before.stuck) log(tick, "stick", after);
-    if (holds(after) && after.ground_surface != surface_) {
+    if (after.hanging && !before.hanging) log(tick, "grab", after);
+    if (after.dash_s > before.dash_s) log(tick, "dash", before);
+    if (after.crouched != before.crouched) log(tick, after.crouched ? "crouch" : "stand up", after);
+    if (is_held(after) && after.ground_surface != surface_) {
         surface_ = after.ground_surface;
         log(tick, "surface", after);
     }

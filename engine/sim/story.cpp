@@ -17,6 +17,8 @@ std::string stance(const PlayerState& state, const StoryNames& names) {
     const std::string on = face_text(names, state.ground_face, state.ground_surface);
     if (state.climbing) return "climbing " + on;
     if (state.stuck) return "stuck to " + on;
+    if (state.hanging) return "hanging from " + on;
+    if (state.grounded && state.crouched) return "crouched on " + on;
     if (state.grounded) return "standing on " + on;
     return "in the air";
 }
@@ -54,7 +56,8 @@ StoryLine begin_line(const TickTrace& trace, const StoryNames& names) {
     }
     for (const ButtonInfo& info : button_table()) {
         if (!trace.input.buttons.has(info.button)) continue;
-        const bool pressed = info.button == Button::jump && !trace.before.jump_held;
+        const bool pressed = (info.button == Button::jump && !trace.before.jump_held) ||
+                             (info.button == Button::dash && trace.settings.dash && !trace.before.dash_held);
         words.say(", ").say(info.name).say(pressed ? " pressed" : " held");
     }
     return line;

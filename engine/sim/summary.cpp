@@ -14,7 +14,8 @@ RunSummary summarize(const TickScene& scene, const TapeRun& run, const StoryName
         before = sample.position;
         const Vec3& v = sample.velocity;
         summary.top_speed_m_s = std::max(summary.top_speed_m_s, std::hypot(v.x(), v.z()));
-        if (!sample.grounded && !sample.climbing && !sample.stuck) summary.air_s += run.dt();
+        if (!(sample.grounded || sample.climbing || sample.stuck || sample.hanging))
+            summary.air_s += run.dt();
         if (sample.respawned) continue;
         summary.distance_m += moved.norm();
         const Vec2 wish = run.input_at(tick).wish;

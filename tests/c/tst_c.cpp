@@ -210,6 +210,61 @@ TEST(C, StepsGiveTheBitsOfCppAndTheSameTrace) {
     OK(slipface_settings_free(settings, &error));
 }
 
+// Every button and every member of a player: with all abilities on, the same state as in C++ in each tick.
+TEST(C, ButtonsAndAbilitiesAreThoseOfCpp) {
+    Random random(23);
+    const Twin twin(random);
+    slipface_world world{};
+    slipface_settings settings{};
+    OK(slipface_world_from_triangles(&twin.view, &world, &error));
+    OK(slipface_settings_new("platformer", &settings, &error));
+    MovementSettings values;
+    for (const char* ability : {"air_jump=on", "wall_slide=on", "wall_jump=on", "dash=on", "crouch=on",
+                                "ledge_grab=on", "drop_through=on", "glide=on"}) {
+        OK(slipface_settings_set(settings, ability, &error));
+        ASSERT_TRUE(set_setting(values, ability).ok());
+    }
+    const std::vector<SurfaceType> surfaces = preset_surface_types();
+    const CollisionWorld collision = twin.world(surfaces);
+    const MovementScene scene{.collision = collision, .surfaces = surfaces};
+    std::uint32_t pressed = 0, crouched = 0, dashed = 0;
+    for (int life = 0; life < 40; ++life) {
+        const Vec3 start = Vec3(0, 3, 0) + random.in_box(2);
+        slipface_player player;
+        OK(slipface_player_at(world, c_of(start), &player, &error));
+        PlayerState state;
+        put_in_scene(scene, start, state);
+        slipface_input input{};
+        for (int tick = 0; tick < 120; ++tick) {
+            if (tick % 10 == 0)
+                input = {random.uniform(-1, 1), random.uniform(-1, 1), 0,
+                         static_cast<std::uint32_t>(random.below(32))};
+            PlayerInput same_input{.wish = {input.wish_x, input.wish_z}};
+            same_input.buttons.bits = input.buttons;
+            OK(slipface_step(world, settings, &player, &input, 1.0 / 60, nullptr, nullptr, &player, &error));
+            state = step(scene, values, state, same_input, 1.0 / 60).state;
+            ASSERT_TRUE(same(player.position, state.position) && same(player.velocity, state.velocity));
+            ASSERT_EQ(player.dash_s, state.dash_s);
+            ASSERT_EQ(player.mantle_s, state.mantle_s);
+            ASSERT_EQ(player.dashes, state.dashes);
+            ASSERT_EQ(player.air_jumps, state.air_jumps);
+            ASSERT_EQ(player.dash_held != 0, state.dash_held);
+            ASSERT_EQ(player.hanging != 0, state.hanging);
+            ASSERT_EQ(player.crouched != 0, state.crouched);
+            ASSERT_EQ(player.wants_to_stand != 0, state.wants_to_stand);
+            ASSERT_EQ(player.dropping != 0, state.dropping);
+            pressed |= input.buttons;
+            crouched += player.crouched;
+            dashed += player.dash_s > 0;
+        }
+    }
+    EXPECT_EQ(pressed, 31U);
+    EXPECT_GT(crouched, 200U);
+    EXPECT_GT(dashed, 50U);
+    OK(slipface_world_free(world, &error));
+    OK(slipface_settings_free(settings, &error));
+}
+
 TEST(C, ManyPlayersMoveAsEachAlone) {
     Random random(3);
     const Twin twin(random);

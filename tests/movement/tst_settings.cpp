@@ -30,7 +30,7 @@ TEST(SettingsTable, DescribesEverySettingCompletely) {
             EXPECT_NE(find_setting(info.switch_name), nullptr) << info.name;
         }
     }
-    for (const char* group : {"Body", "Speed", "Collision", "Hacks", "Jump"}) {
+    for (const char* group : {"Body", "Speed", "Collision", "Hacks", "Jump", "Moves"}) {
         bool used = false;
         for (const SettingInfo& info : settings_table())
             used = used || std::string(info.group) == group;
@@ -44,7 +44,7 @@ TEST(SettingsTable, HasASectionOfThePageForEveryHack) {
     const std::string page(std::istreambuf_iterator<char>(file), {});
     for (const SettingInfo& info : settings_table()) {
         const std::string_view group = info.group;
-        if (group != "Hacks" && group != "Jump") continue;
+        if (group != "Hacks" && group != "Jump" && group != "Moves") continue;
         EXPECT_NE(page.find(std::string("`") + info.name + "`"), std::string::npos)
             << info.name << " is not in docs/movement.md";
     }

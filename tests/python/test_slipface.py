@@ -143,6 +143,23 @@ class Movement(unittest.TestCase):
         player = world.step(player, settings, jump=True)
         self.assertGreater(player.velocity[1], 5)
 
+    def test_buttons_reach_the_abilities(self):
+        square = slipface.World(*SQUARE)
+        settings = slipface.Settings("platformer", dash=True, crouch=True, dash_speed=12, dash_time=0.25)
+        begin = square.player((0, 0.902, 0))
+        self.assertFalse(begin.crouched or begin.hanging or begin.wants_to_stand)
+        low = square.step(begin, settings, buttons=["crouch"])
+        self.assertTrue(low.crouched)
+        self.assertAlmostEqual(low.position[1], 0.502, places=3)
+        self.assertFalse(square.step(low, settings).crouched)
+        fast = square.step(begin, settings, wish=(1, 0), buttons=["dash"])
+        self.assertAlmostEqual(fast.motion[0], 12.0, places=6)
+        self.assertAlmostEqual(fast.dash_s, 0.25 - 1 / 60)
+        jumped = square.step(square.step(begin, settings), settings, buttons=["jump"])
+        self.assertGreater(jumped.velocity[1], 5)
+        with self.assertRaises(ValueError):
+            square.step(begin, settings, buttons=["dive"])
+
     def test_settings_by_name(self):
         settings = slipface.Settings("lecture", gravity=12)
         self.assertEqual(settings.gravity, 12.0)

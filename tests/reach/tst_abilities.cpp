@@ -112,5 +112,117 @@ TEST(ReachAbilities, GradesKnowTheDoubleJump) {
     }
 }
 
+// The way of a running jump with a dash of t seconds at its top: w*2v/g and d*t more.
+TEST(ReachAbilities, AGapThatOnlyADashCrosses) {
+    for (std::uint64_t seed = 31; seed <= 33; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937_64 random(seed);
+        MovementSettings s = jumper(random);
+        s.dash_speed = std::uniform_real_distribution<double>(12.0, 18.0)(random);
+        const double one = max_possible(s, false, 4);
+        const double way = s.walk_speed * 2.0 * s.jump_speed / s.gravity + s.dash_speed * s.dash_time;
+        ASSERT_GT(0.85 * way, one + 0.3);
+        EXPECT_FALSE(reaches(gap_scene(s, 0.85 * way, 0.0, 0.0), seed, 12));
+        s.dash = true;
+        EXPECT_TRUE(reaches(gap_scene(s, 0.85 * way, 0.0, 0.0), seed, 150)) << way << " m";
+        const double farthest =
+            (s.dash_speed + s.walk_speed) * 2.0 * s.jump_speed / s.gravity + s.dash_speed * s.dash_time + 2.0;
+        EXPECT_FALSE(reaches(gap_scene(s, farthest, 0.0, 0.0), seed, 12));
+    }
+}
+
+// A jump and hands: v*v/(2g) + the half height + the hands above the centre.
+TEST(ReachAbilities, ALedgeThatOnlyHandsReach) {
+    for (std::uint64_t seed = 41; seed <= 44; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937_64 random(seed);
+        MovementSettings s = jumper(random);
+        const double high = height_of(s.jump_speed, s) + s.radii.y() + s.ledge_hands;
+        const double yaw = std::uniform_real_distribution<double>(0.0, 6.28)(random);
+        EXPECT_FALSE(reaches(gap_scene(s, 0.5, 0.97 * high, yaw), seed, 12));
+        s.ledge_grab = true;
+        EXPECT_TRUE(reaches(gap_scene(s, 0.5, 0.97 * high, yaw), seed, 100)) << high << " m";
+        EXPECT_FALSE(reaches(gap_scene(s, 0.5, 1.03 * high, yaw), seed, 12)) << high << " m";
+        s.ledge_form = LedgeForm::button;
+        EXPECT_TRUE(reaches(gap_scene(s, 0.5, 0.97 * high, yaw), seed, 200)) << high << " m, by a button";
+    }
+}
+
+// A passage, and behind it the target.
+TEST(ReachAbilities, APassageThatOnlyACrouchedBodyFits) {
+    for (std::uint64_t seed = 51; seed <= 53; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937_64 random(seed);
+        MovementSettings s = jumper(random);
+        const double low = 2.0 * std::min(s.crouch_radius_y, 0.6 * s.radii.y());
+        s.crouch_radius_y = 0.5 * low;
+        const auto scene_with = [&](double height) {
+            Shapes shapes;
+            shapes.box({-2, -1, -1}, {2, 0, 4})
+                .box({-2, -1, -4}, {2, 0, -1})
+                .box({-2, height, -0.5}, {2, height + 8, 0.5});
+            shapes.box({-3, 0, -4}, {-2, 9, 4}).box({2, 0, -4}, {3, 9, 4});
+            ReachScene scene{shapes.level(), Vec3(0, s.radii.y() + 0.01, 3), Vec3(0, 0, -3)};
+            scene.level.movement = s;
+            scene.level.spawn = scene.start;
+            return scene;
+        };
+        const auto behind = [&](double height) { return reaches(scene_with(height), seed, 60); };
+        EXPECT_FALSE(behind(1.1 * low));
+        s.crouch = true;
+        EXPECT_TRUE(behind(1.1 * low));
+        EXPECT_FALSE(behind(0.9 * low));
+    }
+}
+
+// A one-sided floor that is the only way down.
+TEST(ReachAbilities, AFloorThatOnlyDropLeadsThrough) {
+    Shapes shapes;
+    shapes.box({-4, -4, -4}, {4, -3, 4}).box({-5, -3, -4}, {-4, 4, 4}).box({4, -3, -4}, {5, 4, 4});
+    shapes.box({-5, -3, -5}, {5, 4, -4}).box({-5, -3, 4}, {5, 4, 5});
+    shapes.material("metal__grate").polygon({{-4, 0, -4}, {-4, 0, 4}, {4, 0, 4}, {4, 0, -4}});
+    MovementSettings s = basic_settings();
+    ReachScene scene{shapes.level(), Vec3(0, s.radii.y() + 0.01, 0), Vec3(1, -3, 1)};
+    SurfaceType grate{.name = "grate"};
+    grate.one_sided = true;
+    scene.level.surfaces.push_back(grate);
+    for (const bool on : {false, true}) {
+        s.drop_through = on;
+        scene.level.movement = s;
+        scene.level.spawn = scene.start;
+        EXPECT_EQ(reaches(scene, 61, 30), on);
+    }
+}
+
+TEST(ReachAbilities, GradesKnowDashWallJumpAndHands) {
+    for (std::uint64_t seed = 71; seed <= 72; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937_64 random(seed);
+        MovementSettings s = jumper(random);
+        s.coyote = false;
+        s.keep_speed = true;
+        const JumpLimits one = measure_limits(s, tick_s);
+        MovementSettings dasher = s;
+        dasher.dash = true;
+        // Farthest: a jump in the last tick of a dash on the ground keeps its speed, and another dash
+        // follows.
+        const double longest =
+            dasher.dash_speed * (2.0 * s.jump_speed / s.gravity) + dasher.dash_speed * dasher.dash_time;
+        const JumpLimits dashed = measure_limits(dasher, tick_s);
+        EXPECT_GT(dashed.gap_m, one.gap_m + 0.9 * dasher.dash_speed * dasher.dash_time);
+        EXPECT_LT(dashed.gap_m, longest + 1.0);
+        EXPECT_NEAR(dashed.ledge_m, one.ledge_m, 0.15);
+        MovementSettings hands = s;
+        hands.ledge_grab = true;
+        EXPECT_NEAR(measure_limits(hands, tick_s).ledge_m,
+                    height_of(s.jump_speed, s) + s.radii.y() + s.ledge_hands, s.jump_speed * tick_s);
+        MovementSettings walls = s;
+        walls.wall_jump = true;
+        walls.wall_jump_away = 2.0;
+        walls.wall_jump_up = s.jump_speed;
+        EXPECT_GT(measure_limits(walls, tick_s).ledge_m, one.ledge_m + 0.3);
+    }
+}
+
 }  // namespace
 }  // namespace slipface::test

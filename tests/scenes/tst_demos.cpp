@@ -252,6 +252,22 @@ TEST(Demos, AbilitiesLeadOn) {
     const Pair shaft = pair_of("wall-jump");
     EXPECT_NEAR(feet(shaft, shaft.on), 4.0, 0.05);
     EXPECT_NEAR(feet(shaft, shaft.off), 0.0, 0.05);
+    const Pair dash = pair_of("dash");
+    EXPECT_NEAR(feet(dash, dash.on), 0.0, 0.05);
+    EXPECT_NEAR(feet(dash, dash.off), -4.0, 0.05);
+    const Pair passage = pair_of("crouch");
+    EXPECT_LT(passage.on.end().position.z(), -3.5);
+    EXPECT_FALSE(passage.on.end().crouched);
+    EXPECT_GT(passage.off.end().position.z(), 0.0);
+    const Pair wall = pair_of("ledge-grab");
+    EXPECT_NEAR(feet(wall, wall.on), 2.8, 0.05);
+    EXPECT_NEAR(feet(wall, wall.off), 0.0, 0.05);
+    const Pair grate = pair_of("drop-through");
+    EXPECT_NEAR(feet(grate, grate.on), 0.0, 0.05);
+    EXPECT_NEAR(feet(grate, grate.off), 3.0, 0.05);
+    const Pair glide = pair_of("glide");
+    EXPECT_NEAR(feet(glide, glide.on), 0.0, 0.05);
+    EXPECT_NEAR(feet(glide, glide.off), -4.0, 0.05);
 }
 
 TEST(Demos, PlatformsCarry) {

@@ -18,7 +18,7 @@ JumpStart jump_in_air(Mover& mover) {
 
 std::uint8_t air_jumps_after(const Mover& mover) {
     const AirJumpReset reset = mover.settings.air_jump_reset;
-    const bool by_hold = reset != AirJumpReset::ground && (mover.climbing || mover.stuck);
+    const bool by_hold = reset != AirJumpReset::ground && is_held(mover);
     const bool by_wall = reset == AirJumpReset::walls && mover.on_wall;
     if (mover.grounded || mover.state.grounded || mover.bounced || by_hold || by_wall) return 0;
     constexpr std::uint8_t most = 255;

@@ -192,7 +192,7 @@ void press(Mover& mover, const MovingPart& part, const Vec3& before) {
 void move_with_platforms(Mover& mover, PlayerState& state) {
     if (mover.scene.platforms.empty()) return;
     const Vec3 before = mover.position;
-    const bool held = state.grounded || state.climbing || state.stuck;
+    const bool held = is_held(state);
     const bool rides = held && state.ground_platform < mover.scene.platforms.size();
     if (!mover.settings.platforms) {
         if (rides) decide(mover, Decision::platform_off, state.ground_face);

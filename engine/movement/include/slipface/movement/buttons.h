@@ -49,4 +49,8 @@ struct ButtonSet {
     friend bool operator==(const ButtonSet&, const ButtonSet&) = default;
 };
 
+struct MovementSettings;
+// Those that an ability reads which is on: what looks for ways through a level presses these.
+ButtonSet buttons_read(const MovementSettings& settings);
+
 }  // namespace slipface

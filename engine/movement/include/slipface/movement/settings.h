@@ -66,6 +66,32 @@ inline constexpr auto wall_jump_walls_choices = std::to_array<Choice>({
     {"any", "off the same wall again, too"},
 });
 
+enum class DashToward : int { stick, motion };
+inline constexpr auto dash_toward_choices = std::to_array<Choice>({
+    {"stick", "the stick, and with it at rest where the player moves"},
+    {"motion", "where the player moves, and from rest the stick"},
+});
+
+enum class CrouchInAir : int { no, feet_up };
+inline constexpr auto crouch_in_air_choices = std::to_array<Choice>({
+    {"no", "the player keeps the body that it has"},
+    {"feet_up",
+     "the head stays and the feet are drawn up, so that a crouched jump clears edges that are higher by what "
+     "the body lost"},
+});
+
+enum class LedgeForm : int { pushing, button };
+inline constexpr auto ledge_form_choices = std::to_array<Choice>({
+    {"pushing", "the stick points at the ledge, within 60 degrees"},
+    {"button", "the grab button is held; to let it go is to let go"},
+});
+
+enum class LedgeClimb : int { stick, jump };
+inline constexpr auto ledge_climb_choices = std::to_array<Choice>({
+    {"stick", "the stick points at the ledge; a press of jump jumps up from it"},
+    {"jump", "a press of jump, unless the stick points away"},
+});
+
 // The defaults are what players of 3D platformers expect: the preset "platformer".
 struct MovementSettings {
     Vec3 radii{0.4, 0.9, 0.4};  // m, of the ellipsoid along X, Y and Z
@@ -126,7 +152,27 @@ struct MovementSettings {
     double wall_jump_reach = 0.1;  // m, from the body to the wall
     double wall_jump_lock = 0.15;  // s, for which the stick does not steer
     WallJumpWalls wall_jump_walls = WallJumpWalls::any;
-    double sub_step = 0.0;  // s, the longest part of a step that is moved at once; 0: the whole step
+    bool dash = false;
+    double dash_speed = 14.0;     // m/s, horizontal
+    double dash_time = 0.2;       // s
+    double dash_end_speed = 6.0;  // m/s, that remain after it
+    int dashes = 1;               // in the air, until something gives them back
+    DashToward dash_toward = DashToward::stick;
+    bool crouch = false;
+    double crouch_radius_y = 0.5;  // m
+    double crouch_speed = 2.5;     // m/s
+    CrouchInAir crouch_in_air = CrouchInAir::feet_up;
+    bool ledge_grab = false;
+    double ledge_hands = 0.7;                // m, above the centre
+    double ledge_reach = 0.2;                // m, from the body to the wall
+    double ledge_time = 0.5;                 // s, of the climb onto it
+    double ledge_wall = 1.0471975511965976;  // radians (60 degrees): the least steep wall below a ledge
+    LedgeForm ledge_form = LedgeForm::pushing;
+    LedgeClimb ledge_climb = LedgeClimb::stick;
+    bool drop_through = false;
+    bool glide = false;
+    double glide_speed = 2.0;  // m/s, of the fall
+    double sub_step = 0.0;     // s, the longest part of a step that is moved at once; 0: the whole step
 
     friend bool operator==(const MovementSettings&, const MovementSettings&) = default;
 };

@@ -39,34 +39,45 @@ struct PlayerState {
     bool jumping = false;    // rising by a jump whose button is still held
     bool trapped = false;    // inside geometry and could not be moved out
     bool crushed = false;    // by a platform that left it no room, this step: the game respawns the player
+    bool dash_held = false;  // the button, last step, while the settings have a dash
+    bool hanging = false;    // by the hands from a ledge, or climbing onto it
+    bool crouched = false;   // has the crouched body: body_radii()
+    bool wants_to_stand = false;         // crouched without the button: there is no room
     Vec3 ground_normal = Vec3::UnitY();  // of the surface stood on, climbed or stuck to; unit
     FaceId ground_face = no_id;
     SurfaceId ground_surface = default_surface;
+    bool dropping = false;                  // through one-sided faces, until the body is past them
+    std::uint8_t air_jumps = 0;             // made since something gave them back
+    std::uint8_t dashes = 0;                // begun in the air since something gave them back
     std::uint32_t ground_platform = no_id;  // index into MovementScene::platforms; no_id: it does not move
-    // Height of the point stood on above the ellipsoid's lowest point, m, 0 or more: the next step's height
-    // is measured from that point.
+    Carrier carrier = Carrier::unknown;
+    // Height of the point stood on, or of the ledge that the hands hold, above the ellipsoid's lowest point,
+    // m, 0 or more: the next step's height is measured from that point.
     double ground_rise = 0.0;
     // In the air the velocity of the ground that was left, m/s, as far as MovementSettings::leave_mode keeps
     // it: the stick steers relative to it. 0 while something holds the player.
     Vec3 air_frame = Vec3::Zero();
-    Carrier carrier = Carrier::unknown;
-    std::uint8_t air_jumps = 0;  // made since something gave them back
     double coyote_s = 0.0;       // for how much longer a jump starts although the player left the ground
     double jump_buffer_s = 0.0;  // for how much longer a press of jump is remembered
     // The horizontal direction, unit, out of the wall last jumped off since something held the player; 0:
     // none.
     double wall_x = 0.0, wall_z = 0.0;
     double wall_lock_s = 0.0;  // for how much longer the stick does not steer after a wall jump
+    double dash_s = 0.0;       // for how much longer a dash moves the player
+    double mantle_s = 0.0;     // for how much longer the player climbs onto the ledge
 
     // Every member but the sector, the ids and the carrier: hashes, files and checks of a state go through
     // these lists. What a hack adds comes last.
     static constexpr std::array numbers{&PlayerState::ground_rise,   &PlayerState::coyote_s,
                                         &PlayerState::jump_buffer_s, &PlayerState::wall_x,
-                                        &PlayerState::wall_z,        &PlayerState::wall_lock_s};
-    static constexpr std::array counts{&PlayerState::air_jumps};
-    static constexpr std::array flags{&PlayerState::grounded,  &PlayerState::climbing, &PlayerState::stuck,
-                                      &PlayerState::jump_held, &PlayerState::hazard,   &PlayerState::jumping,
-                                      &PlayerState::trapped,   &PlayerState::crushed};
+                                        &PlayerState::wall_z,        &PlayerState::wall_lock_s,
+                                        &PlayerState::dash_s,        &PlayerState::mantle_s};
+    static constexpr std::array counts{&PlayerState::air_jumps, &PlayerState::dashes};
+    static constexpr std::array flags{
+        &PlayerState::grounded,  &PlayerState::climbing, &PlayerState::stuck,    &PlayerState::jump_held,
+        &PlayerState::hazard,    &PlayerState::jumping,  &PlayerState::trapped,  &PlayerState::crushed,
+        &PlayerState::dash_held, &PlayerState::hanging,  &PlayerState::crouched, &PlayerState::wants_to_stand,
+        &PlayerState::dropping};
     static constexpr std::array vectors{&PlayerState::position, &PlayerState::velocity,
                                         &PlayerState::ground_normal, &PlayerState::air_frame};
 
@@ -74,6 +85,15 @@ struct PlayerState {
 };
 // Searches and rollbacks store many of them. It owns nothing, so that it can be copied as bytes.
 static_assert(sizeof(PlayerState) <= 200 && std::is_trivially_destructible_v<PlayerState>);
+
+// By ground, a ladder, a sticky surface or the hands; else the player is in the air.
+inline bool is_held(const PlayerState& state) {
+    return state.grounded || state.climbing || state.stuck || state.hanging;
+}
+// Half-axes of the body that the player has, m: MovementSettings::radii, or lower while it is crouched.
+Vec3 body_radii(const MovementSettings& settings, const PlayerState& state);
+// The settings with that body and its walking speed: for what asks about a player as it is now.
+MovementSettings settings_of_body(const MovementSettings& settings, const PlayerState& state);
 
 // The player's centre in the scene's coordinates, for drawing.
 Vec3 position_in_scene(const MovementScene& scene, const PlayerState& state);

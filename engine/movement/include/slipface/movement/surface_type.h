@@ -38,6 +38,7 @@ struct SurfaceType {
     bool one_sided = false;
     bool solid = true;
     bool hazardous = false;                          // touching it respawns
+    bool grabbable = true;                           // hands hold its edges, where the settings allow it
     std::optional<double> max_slope = std::nullopt;  // radians, instead of MovementSettings::max_slope
 
     friend bool operator==(const SurfaceType&, const SurfaceType&) = default;

@@ -26,9 +26,9 @@ struct WalkRegions {
 WalkRegions walk_regions(const Level& level);
 
 // What the player does between the regions. Of several, the last: who jumps onto a platform rides.
-enum class LinkKind : std::uint8_t { walk, drop, jump, air_jump, wall_jump, climb, ride };
-inline constexpr std::array<const char*, 7> link_kind_names{"walk",      "drop",  "jump", "air_jump",
-                                                            "wall_jump", "climb", "ride"};
+enum class LinkKind : std::uint8_t { walk, crawl, drop, jump, air_jump, wall_jump, dash, ledge, climb, ride };
+inline constexpr std::array<const char*, 10> link_kind_names{
+    "walk", "crawl", "drop", "jump", "air_jump", "wall_jump", "dash", "ledge", "climb", "ride"};
 
 struct ReachLink {
     std::uint32_t from = no_id, to = no_id;  // regions

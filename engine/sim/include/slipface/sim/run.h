@@ -25,7 +25,8 @@ struct TickSample {
     Vec3 ground_normal = Vec3::UnitY();
     FaceId ground_face = no_id;  // stood on, climbed, stuck to or slid along
     SurfaceId surface = default_surface;
-    bool grounded = false, climbing = false, stuck = false;
+    bool grounded = false, climbing = false, stuck = false, hanging = false;
+    bool crouched = false;
     bool respawned = false;      // teleported to the start: do not connect to the previous sample
     std::uint8_t contacts = 0;   // hit in the tick, walls and ground
     std::uint8_t walls = 0;      // sweeps of a horizontal or whole move that hit something
