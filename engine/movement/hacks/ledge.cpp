@@ -145,7 +145,9 @@ std::optional<Drive> hang_on(Mover& mover, bool& jump) {
     const bool released = s.ledge_form == LedgeForm::button && !mover.buttons.has(Button::grab);
     const bool leaps = jump && s.ledge_climb == LedgeClimb::stick;
     const bool lets_go = !s.ledge_grab || released || mover.buttons.has(Button::drop) || into < -meant;
-    const std::optional<Ledge> ledge = leaps || lets_go ? std::nullopt : ledge_ahead(mover, ahead, 0.0);
+    // Where a wall that leans stopped the grab, the hands are above the edge.
+    const double above = std::max(0.0, s.radii.y() + s.ledge_hands - state.ground_rise);
+    const std::optional<Ledge> ledge = leaps || lets_go ? std::nullopt : ledge_ahead(mover, ahead, above);
     if (!ledge) {
         mover.hanging = false;
         mover.support = {};
