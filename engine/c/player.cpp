@@ -16,8 +16,7 @@ void each_member(State& state, Player& player, const Each& each) {
     each(state.wall_x, player.wall_x);
     each(state.wall_z, player.wall_z);
     each(state.wall_lock_s, player.wall_lock_s);
-    each(state.dash_s, player.dash_s);
-    each(state.mantle_s, player.mantle_s);
+    each(state.move_s, player.move_s);
     each(state.air_jumps, player.air_jumps);
     each(state.dashes, player.dashes);
     each(state.grounded, player.grounded);

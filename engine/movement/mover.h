@@ -120,10 +120,9 @@ struct Scratch {
     bool air_jumped = false;
     bool on_wall = false;            // slides down one or jumps off one
     Vec3 jumped_off = Vec3::Zero();  // the horizontal direction out of the wall that a jump starts from
-    double dash_s = 0.0;             // left of a dash after the part
+    double move_s = 0.0;             // left of a dash or a climb onto a ledge after the part
     double dashed = 0.0;             // fraction of the part for which it moves the player; 0: no dash
     bool dash_began = false;
-    double mantle_s = 0.0;    // left of the climb onto a ledge
     bool dropping = false;    // one-sided faces are not seen
     bool began_free = false;  // touched nothing where it began, not even from behind
     bool pressed = false;     // a platform that moves overlaps the player, who could not give way
@@ -521,8 +520,7 @@ double jump_buffer_after(const Mover& mover);
 double wall_x_after(const Mover& mover);
 double wall_z_after(const Mover& mover);
 double wall_lock_after(const Mover& mover);
-double dash_after(const Mover& mover);
-double mantle_after(const Mover& mover);
+double move_after(const Mover& mover);
 std::uint8_t dashes_after(const Mover& mover);
 std::uint8_t air_jumps_after(const Mover& mover);
 inline constexpr auto clocks = std::to_array<Clock>({
@@ -531,8 +529,7 @@ inline constexpr auto clocks = std::to_array<Clock>({
     {&PlayerState::wall_x, wall_x_after},
     {&PlayerState::wall_z, wall_z_after},
     {&PlayerState::wall_lock_s, wall_lock_after},
-    {&PlayerState::dash_s, dash_after},
-    {&PlayerState::mantle_s, mantle_after},
+    {&PlayerState::move_s, move_after},
 });
 inline constexpr auto counts = std::to_array<Count>({
     {&PlayerState::air_jumps, air_jumps_after},

@@ -111,7 +111,7 @@ bool masters(const MovementSettings& settings, double dt, double gap, double ris
                 const ButtonSet held = presses(settings, state, dt, plan, i, trail[from].position.y());
                 state = step(scene, settings, state, {Vec2(1, 0), held}, dt).state;
                 if (beyond(state)) return true;
-                if (i > 2 && state.grounded && state.dash_s == 0.0) break;
+                if (i > 2 && state.grounded && state.move_s == 0.0) break;
             }
         }
     }

@@ -35,7 +35,7 @@ struct Passage {
 
     std::optional<Arrival> tick(const PlayerState& state, std::uint32_t region) {
         ++ticks;
-        dashed |= state.dash_s > 0.0;
+        dashed |= state.move_s > 0.0 && !state.hanging;
         crawled |= state.crouched && state.grounded;
         std::optional<Arrival> arrival;
         if (region != no_id) {

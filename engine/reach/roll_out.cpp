@@ -532,7 +532,7 @@ std::uint64_t ReachWorld::cell_key(const MovementScene& scene, const PlayerState
         // What is left of the abilities.
         if (state.air_jumps > 0) key = mix(key, 256u + state.air_jumps);
         if (state.dashes > 0) key = mix(key, 512u + state.dashes);
-        if (state.dash_s > 0.0) key = mix(key, 7);
+        if (state.move_s > 0.0) key = mix(key, 7);
         if (state.wall_x != 0.0 || state.wall_z != 0.0)
             key = mix(mix(key, grid(state.wall_x, 0.5)), grid(state.wall_z, 0.5));
     }

@@ -68,7 +68,7 @@ void EventLog::add(std::size_t tick, const PlayerState& before, const PlayerInpu
     if (after.climbing && !before.climbing) log(tick, "climb", after);
     if (after.stuck && !before.stuck) log(tick, "stick", after);
     if (after.hanging && !before.hanging) log(tick, "grab", after);
-    if (after.dash_s > before.dash_s) log(tick, "dash", before);
+    if (after.move_s > before.move_s && !after.hanging) log(tick, "dash", before);
     if (after.crouched != before.crouched) log(tick, after.crouched ? "crouch" : "stand up", after);
     if (is_held(after) && after.ground_surface != surface_) {
         surface_ = after.ground_surface;

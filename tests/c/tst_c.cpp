@@ -244,8 +244,7 @@ TEST(C, ButtonsAndAbilitiesAreThoseOfCpp) {
             OK(slipface_step(world, settings, &player, &input, 1.0 / 60, nullptr, nullptr, &player, &error));
             state = step(scene, values, state, same_input, 1.0 / 60).state;
             ASSERT_TRUE(same(player.position, state.position) && same(player.velocity, state.velocity));
-            ASSERT_EQ(player.dash_s, state.dash_s);
-            ASSERT_EQ(player.mantle_s, state.mantle_s);
+            ASSERT_EQ(player.move_s, state.move_s);
             ASSERT_EQ(player.dashes, state.dashes);
             ASSERT_EQ(player.air_jumps, state.air_jumps);
             ASSERT_EQ(player.dash_held != 0, state.dash_held);
@@ -255,7 +254,7 @@ TEST(C, ButtonsAndAbilitiesAreThoseOfCpp) {
             ASSERT_EQ(player.dropping != 0, state.dropping);
             pressed |= input.buttons;
             crouched += player.crouched;
-            dashed += player.dash_s > 0;
+            dashed += player.move_s > 0;
         }
     }
     EXPECT_EQ(pressed, 31U);

@@ -56,7 +56,7 @@ TEST(Dash, IsSpeedTimesTimeLongAtEveryRate) {
         EXPECT_NEAR(state.position.y(), -s.gravity * t * t / 2, 1e-9) << "example " << i;
         EXPECT_NEAR((Vec3(state.velocity.x(), 0, state.velocity.z()) - w * way).norm(), 0, 1e-9)
             << "example " << i;
-        EXPECT_EQ(state.dash_s, 0.0);
+        EXPECT_EQ(state.move_s, 0.0);
     }
 }
 
@@ -135,7 +135,7 @@ TEST(Dash, WallsEndOrDeflectIt) {
             state = step(lab.scene(), s, state, push(way, {Button::dash}), tick).state;
         EXPECT_LE(state.position.x(), 5 - s.radii.x());
         if (std::sin(aside) < 0.49) {
-            EXPECT_EQ(state.dash_s, 0) << i;
+            EXPECT_EQ(state.move_s, 0) << i;
             EXPECT_LT(state.velocity.y(), -1) << i;
         } else if (std::sin(aside) > 0.51) {
             EXPECT_GT(state.position.z(), 0.9 * s.dash_speed * s.dash_time * std::sin(aside)) << i;
@@ -177,7 +177,7 @@ TEST(Dash, AJumpEndsItAndKeepsItsSpeed) {
     EXPECT_EQ(decisions_of(trace, Decision::dash_jumped).size(), 1U);
     EXPECT_NEAR(state.velocity.x(), s.dash_speed, 1e-9);
     EXPECT_NEAR(state.velocity.y(), s.jump_speed - s.gravity * tick, 1e-9);
-    EXPECT_EQ(state.dash_s, 0);
+    EXPECT_EQ(state.move_s, 0);
 }
 
 TEST(Dash, OffThePressIsSaidAndChangesNothing) {

@@ -154,7 +154,7 @@ class Movement(unittest.TestCase):
         self.assertFalse(square.step(low, settings).crouched)
         fast = square.step(begin, settings, wish=(1, 0), buttons=["dash"])
         self.assertAlmostEqual(fast.motion[0], 12.0, places=6)
-        self.assertAlmostEqual(fast.dash_s, 0.25 - 1 / 60)
+        self.assertAlmostEqual(fast.move_s, 0.25 - 1 / 60)
         jumped = square.step(square.step(begin, settings), settings, buttons=["jump"])
         self.assertGreater(jumped.velocity[1], 5)
         with self.assertRaises(ValueError):

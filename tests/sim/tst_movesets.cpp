@@ -66,7 +66,7 @@ double crouched_height(const MovementSettings& s) {
 PlayerState after_dash(const MovementSettings& s) {
     const Place floor(false);
     PlayerState state{.position = {0, 20, 0}};
-    for (int i = 0; i < 1000 && (i == 0 || state.dash_s > 0); ++i)
+    for (int i = 0; i < 1000 && (i == 0 || state.move_s > 0); ++i)
         state =
             step(floor.scene(), s, state, {.wish = {1, 0}, .buttons = {Button::dash, i == 0}}, 0.001).state;
     return state;

@@ -256,7 +256,7 @@ typedef struct slipface_player {
         air_frame; /* m/s, in the air: of the ground that was left; the stick steers relative to it */
     double ground_rise, coyote_s, jump_buffer_s;
     double wall_x, wall_z, wall_lock_s; /* of the last wall jump, 0: none since something held the player */
-    double dash_s, mantle_s;            /* left of a dash and of a climb onto a ledge */
+    double move_s;                      /* left of a dash, or of a climb onto a ledge */
     int32_t sector[3];                  /* all 0 in a world without sectors */
     uint32_t ground_face, ground_platform;
     uint8_t ground_type;

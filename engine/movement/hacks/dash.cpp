@@ -36,49 +36,50 @@ void dash(Mover& mover, bool jumps) {
     const MovementSettings& s = mover.settings;
     const Vec3 frame = mover.air_frame;
     Vec3 own = horizontal(mover.velocity - frame);
-    mover.dash_s = mover.state.dash_s;
+    mover.move_s = mover.state.move_s;
     if (mover.dash_pressed && !jumps) {
         const Vec3 way = way_of_dash(mover, own);
         if (const auto why = refusal(mover, way)) {
             decide(mover, *why);
         } else {
-            mover.dash_s = std::max(s.dash_time, shortest_s);
-            if (mover.dash_s != s.dash_time)
+            mover.move_s = std::max(s.dash_time, shortest_s);
+            if (mover.move_s != s.dash_time)
                 decide(mover, Decision::dash_lengthened, {.value = s.dash_time, .limit = shortest_s});
             mover.dash_began = true;
             own = way * s.dash_speed;
             decide(mover, Decision::dashed, {.value = s.dash_speed});
         }
     }
-    if (!is_open(mover.dash_s, mover.dt)) {
-        mover.dash_s = 0.0;
+    if (!is_open(mover.move_s, mover.dt)) {
+        mover.move_s = 0.0;
         return;
     }
     const double speed = own.norm();
     if (jumps || speed < least_left * s.dash_speed) {
         decide(mover, jumps ? Decision::dash_jumped : Decision::dash_blocked,
                {.value = speed, .limit = least_left * s.dash_speed});
-        mover.dash_s = 0.0;
+        mover.move_s = 0.0;
         return;
     }
-    if (!mover.dash_began) decide(mover, Decision::dashing, {.value = mover.dash_s});
-    mover.dashed = std::min(1.0, mover.dash_s / mover.dt);
-    mover.dash_s -= mover.dt;
+    if (!mover.dash_began) decide(mover, Decision::dashing, {.value = mover.move_s});
+    mover.dashed = std::min(1.0, mover.move_s / mover.dt);
+    mover.move_s -= mover.dt;
     const double up = mover.was_grounded ? mover.velocity.y() : frame.y();
     mover.velocity = horizontal(frame) + own + Vec3(0.0, up, 0.0);
 }
 
 void end_dash(Mover& mover) {
-    if (is_open(mover.dash_s, mover.dt)) return;
-    mover.dash_s = 0.0;
+    if (is_open(mover.move_s, mover.dt)) return;
+    mover.move_s = 0.0;
     const Vec3 own = horizontal(mover.velocity - mover.air_frame);
     const double speed = own.norm(), kept = std::min(speed, mover.settings.dash_end_speed);
     decide(mover, Decision::dash_over, {.value = speed, .limit = kept});
     if (kept < speed) mover.velocity -= own * (1.0 - kept / speed);
 }
 
-double dash_after(const Mover& mover) {
-    return is_held(mover) && !mover.grounded ? 0.0 : mover.dash_s;
+double move_after(const Mover& mover) {
+    const bool caught = mover.climbing || mover.stuck;
+    return caught ? 0.0 : mover.move_s;
 }
 
 std::uint8_t dashes_after(const Mover& mover) {

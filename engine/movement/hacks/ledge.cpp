@@ -102,7 +102,7 @@ Drive climb_on(Mover& mover, const Vec3& ahead, double left) {
     const double way = (rise_of(mover) + forward_of(mover)) / time * std::min(mover.dt, left);
     const double up = std::clamp(mover.support_rise + clearance(mover), 0.0, way);
     decide(mover, Decision::ledge_climbed, {.value = left}, mover.support.face);
-    mover.mantle_s = left;
+    mover.move_s = left;
     return {.kind = Drive::Kind::hang, .move = ahead * (way - up) + Vec3(0.0, up, 0.0)};
 }
 
@@ -129,6 +129,7 @@ std::optional<Drive> grab_ledge(Mover& mover, const Vec3& move) {
            ledge->wall.face);
     if (!s.ledge_grab) return std::nullopt;
     hang_from(mover, ledge->wall, rise);
+    mover.move_s = 0.0;
     return Drive{.kind = Drive::Kind::hang, .move = {0.0, std::min(0.0, down), 0.0}};
 }
 
@@ -137,9 +138,9 @@ std::optional<Drive> hang_on(Mover& mover, bool& jump) {
     const PlayerState& state = mover.state;
     const Vec3 ahead = -direction_of(horizontal(state.ground_normal));
     hang_from(mover, support_before(mover), state.ground_rise);
-    if (is_open(state.mantle_s, mover.dt)) {
+    if (is_open(state.move_s, mover.dt)) {
         jump = false;
-        return climb_on(mover, ahead, state.mantle_s);
+        return climb_on(mover, ahead, state.move_s);
     }
     const double into = stick_of(mover).dot(ahead);
     const bool released = s.ledge_form == LedgeForm::button && !mover.buttons.has(Button::grab);
@@ -176,11 +177,11 @@ void hang(Mover& mover, const Vec3& move) {
     mover.support_rise -= mover.position.y() - begin.y();
     if (!over.isZero(0.0)) mover.position = sweep_with_skin(mover, Pass::horizontal, 0, over).reached;
     mover.hazard = mover.hazard || surface_of(mover, mover.support.surface).hazardous;
-    if (!(mover.mantle_s > 0.0)) return;
+    if (!(mover.move_s > 0.0)) return;
     const bool blocked = (mover.position - begin).norm() < 0.5 * move.norm();
-    mover.mantle_s = blocked ? 0.0 : mover.mantle_s - mover.dt;
-    if (is_open(mover.mantle_s, mover.dt)) return;
-    mover.mantle_s = 0.0;
+    mover.move_s = blocked ? 0.0 : mover.move_s - mover.dt;
+    if (is_open(mover.move_s, mover.dt)) return;
+    mover.move_s = 0.0;
     if (mover.support_rise > 0.0) return;  // it hangs on
     mover.hanging = false;
     mover.support = {};
@@ -190,10 +191,6 @@ void hang(Mover& mover, const Vec3& move) {
         return;
     mover.position = swept.reached;
     stand_on(mover, *swept.contact, swept.platform);
-}
-
-double mantle_after(const Mover& mover) {
-    return mover.hanging ? mover.mantle_s : 0.0;
 }
 
 }  // namespace slipface

@@ -63,15 +63,14 @@ struct PlayerState {
     // none.
     double wall_x = 0.0, wall_z = 0.0;
     double wall_lock_s = 0.0;  // for how much longer the stick does not steer after a wall jump
-    double dash_s = 0.0;       // for how much longer a dash moves the player
-    double mantle_s = 0.0;     // for how much longer the player climbs onto the ledge
+    double move_s = 0.0;       // for how much longer a dash lasts; of who hangs, the climb onto the ledge
 
     // Every member but the sector, the ids and the carrier: hashes, files and checks of a state go through
     // these lists. What a hack adds comes last.
     static constexpr std::array numbers{&PlayerState::ground_rise,   &PlayerState::coyote_s,
                                         &PlayerState::jump_buffer_s, &PlayerState::wall_x,
                                         &PlayerState::wall_z,        &PlayerState::wall_lock_s,
-                                        &PlayerState::dash_s,        &PlayerState::mantle_s};
+                                        &PlayerState::move_s};
     static constexpr std::array counts{&PlayerState::air_jumps, &PlayerState::dashes};
     static constexpr std::array flags{
         &PlayerState::grounded,  &PlayerState::climbing, &PlayerState::stuck,    &PlayerState::jump_held,
