@@ -82,10 +82,10 @@ std::span<const SurfaceField> surface_fields() {
         {"solid", "Solid", "", 0.0, 1.0, "Off: nothing collides with it.", &T::solid},
         {"hazardous", "Hazardous", "", 0.0, 1.0, "A player who touches it returns to the spawn point.",
          &T::hazardous},
-        {"grabbable", "Grabbable", "", 0.0, 1.0,
-         "Off: no ledge of it is grabbed, neither its top nor the wall below.", &T::grabbable},
         {"max_slope", "Maximum slope", "deg", 0.0, 1.5533430342749532,
          "Maximum walkable slope of this surface, instead of the player's setting.", &T::max_slope},
+        {"grabbable", "Grabbable", "", 0.0, 1.0,
+         "Off: no ledge of it is grabbed, neither its top nor the wall below.", &T::grabbable},
     });
     return fields;
 }
