@@ -12,7 +12,7 @@ constexpr auto table = std::to_array<ButtonInfo>({
     {Button::jump, "jump", "Jump", "Space", "A",
      "Jumps when it is pressed: from the ground, a ladder or a sticky surface, and where the settings allow "
      "it "
-     "off a wall and in the air. Letting it go may cut the jump."},
+     "off a wall and in the air. Letting it go may cut the jump; held in a fall it may glide."},
     {Button::crouch, "crouch", "Crouch", "C", "B", "Crouches while it is held, where the settings allow it."},
     {Button::dash, "dash", "Dash", "Shift", "X", "Dashes when it is pressed, where the settings allow it."},
     {Button::grab, "grab", "Grab", "E", "RB",
