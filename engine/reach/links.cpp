@@ -271,7 +271,10 @@ class ReachSearch::Impl::LinkFinder {
                 propose(to, {*arrival, tick, node, {presses.begin(), presses.end()}});
         };
         Harvest ignored;
-        roll_out(impl_.world, scenes, impl_.known(), node, 0, link_visits, ignored, &watch);
+        // More buttons make pairs of visits.
+        const bool more = buttons_read(impl_.world.level->movement) != ButtonSet(Button::jump);
+        roll_out(impl_.world, scenes, impl_.known(), node, 0, more ? 2 * link_visits : link_visits, ignored,
+                 &watch);
     }
 
     // The whole way once more, from the start: what it says is what counts.

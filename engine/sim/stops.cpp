@@ -40,9 +40,11 @@ class FreeWalk {
             return before.surface < names_.surfaces.size()
                        ? names_.surfaces[before.surface].climb_speed * push * dt
                        : 0.0;
+        if (before.hanging || after.hanging) return speed_ = 0.0;  // nobody walks by the hands
         const Vec2 heading = input.wish.normalized();
         const double own = before.velocity.x() * heading.x() + before.velocity.z() * heading.y();
-        const double requested = s.walk_speed * push;
+        const PlayerState body{.grounded = before.grounded, .crouched = after.crouched};
+        const double requested = settings_of_body(s, body).walk_speed * push;
         const double from = goes_on ? std::max(std::min(speed_, requested), own) : own;
         const bool typed =
             before.surface < names_.surfaces.size() && before.ground_face != no_id && s.surface_types;
