@@ -68,7 +68,6 @@ constexpr auto reported =
                              {Decision::ledge_no_room, "not climbed"},
                              {Decision::ledge_forbidden, "no ledge"},
                              {Decision::ledge_not_steep, "no ledge"},
-                             {Decision::ledge_grab_off, "no ledge"},
                              {Decision::dropped_through, "dropped through"},
                              {Decision::drop_through_off, "not dropped through"},
                              {Decision::glided, "glided"}});

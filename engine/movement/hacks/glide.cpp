@@ -9,9 +9,11 @@ namespace slipface {
 void glide(Mover& mover) {
     const double fastest = mover.settings.glide_speed, falls = mover.air_frame.y() - mover.velocity.y();
     if (!mover.jump_held || !(falls > fastest)) return;
-    decide(mover, mover.settings.glide ? Decision::glided : Decision::glide_off,
-           {.value = falls, .limit = fastest});
-    if (!mover.settings.glide) return;
+    const bool acts = mover.settings.glide;
+    // Off, it is news once in a fall.
+    if (acts || mover.air_frame.y() - mover.velocity_before.y() <= fastest)
+        decide(mover, acts ? Decision::glided : Decision::glide_off, {.value = falls, .limit = fastest});
+    if (!acts) return;
     mover.velocity.y() = mover.air_frame.y() - fastest;
     mover.velocity_before.y() = std::max(mover.velocity_before.y(), mover.velocity.y());
 }
