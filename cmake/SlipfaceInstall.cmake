@@ -44,7 +44,7 @@ if(TARGET slipface)
         set_target_properties(slipface PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
     endif()
     install(TARGETS slipface DESTINATION ${CMAKE_INSTALL_BINDIR})
-    install(DIRECTORY assets/levels assets/presets assets/tapes assets/props assets/blender DESTINATION ${CMAKE_INSTALL_DATADIR}/slipface
+    install(DIRECTORY assets/levels assets/presets assets/movesets assets/climb assets/tapes assets/props assets/blender DESTINATION ${CMAKE_INSTALL_DATADIR}/slipface
         PATTERN __pycache__ EXCLUDE)
 endif()
 if(TARGET slipface AND NOT WIN32)
