@@ -229,7 +229,7 @@ TickTrace TapeRun::trace_from(const TickScene& scene, std::size_t tick, const Pl
     TraceRecorder recorder;
     trace.after = play_tick(scene.at(tick, tape_->dt), trace.settings, trace.before, trace.input, tape_->dt,
                             run_start(scene, start_), &recorder);
-    // What tells of the tick asks about the body that it moved.
+    // Stories ask about the body that the tick moved.
     trace.settings = settings_of_body(trace.settings, trace.after.stepped);
     trace.from = scene.to_level(trace.before);
     trace.to = scene.to_level(trace.after.stepped);

@@ -1,6 +1,8 @@
 // The course of assets/climb: each stage is passed with all abilities, and not without its own.
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "slipface/level/level_file.h"
 #include "slipface/reach/search.h"
 

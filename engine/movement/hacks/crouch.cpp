@@ -4,6 +4,7 @@
 // Each step runs under settings that have the player's body. On the ground the feet stay when it changes; in
 // the air the head stays and the feet are drawn up, as far as there is room.
 #include <algorithm>
+#include <cmath>
 
 #include "mover.h"
 
