@@ -153,6 +153,7 @@ void add_data_verbs(CLI::App& app, int& exit_code) {
     add_doctor(app, exit_code);
     add_exchange_verbs(app, exit_code);
     add_bake_light_verb(app, exit_code);
+    add_serve_verb(app, exit_code);
 }
 
 }  // namespace slipface::cli

@@ -96,6 +96,9 @@ int run_compare(const CompareOptions& options, std::ostream& out, std::ostream& 
 // slipface why LEVEL, slipface compare LEVEL.
 void add_why_verbs(CLI::App& app, int& exit_code);
 
+// slipface serve: steps players for another program (docs/course.md).
+void add_serve_verb(CLI::App& app, int& exit_code);
+
 // slipface demo [NAME], slipface preset [NAME].
 void add_demo_verbs(CLI::App& app, int& exit_code);
 
