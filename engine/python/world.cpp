@@ -373,7 +373,8 @@ void add_world(py::module_& module) {
         .def_readonly("hanging", &PlayerState::hanging)
         .def_readonly("crouched", &PlayerState::crouched)
         .def_readonly("wants_to_stand", &PlayerState::wants_to_stand)
-        .def_readonly("move_s", &PlayerState::move_s, "Seconds that a dash, or a climb onto a ledge, lasts on")
+        .def_readonly("move_s", &PlayerState::move_s,
+                      "Seconds that a dash, or a climb onto a ledge, lasts on")
         .def_readonly("hazard", &PlayerState::hazard)
         .def_readonly("trapped", &PlayerState::trapped)
         .def_readonly("crushed", &PlayerState::crushed)
