@@ -50,7 +50,8 @@ void trace_sector(const MovementScene& scene, const PlayerState& before, const P
 }  // namespace
 
 StepResult step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
-                const PlayerInput& input, double dt, TraceSink* trace) {
+                const PlayerInput& input, double dt, TraceSink* trace, StepContacts* contacts) {
+    begin_contacts(contacts);
     if (!usable(settings) || !usable(state, input, dt)) return {.state = state};
     const Vec2 wish = at_most_one(input.wish);
     dt = std::min(dt, longest_hitch_s);
@@ -94,7 +95,8 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
                      .walkable_cosine = walkable_cosine,
                      .since = part / static_cast<double>(parts),
                      .until = part + 1 == parts ? 1.0 : (part + 1) / static_cast<double>(parts),
-                     .step_s = dt},
+                     .step_s = dt,
+                     .report = contacts},
                     around);
         mover.began_free = free;
         move_with_platforms(mover, before);
@@ -106,6 +108,7 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
         const bool room = clamp_to_terrain(mover, safe);
         result.state = accept(mover, safe, room);
 
+        keep_contacts(mover);
         result.sweeps += mover.sweeps;
         result.contacts += mover.contacts;
         result.end_is_free = mover.end_is_free;
