@@ -1,5 +1,5 @@
-// Where parallel_for runs if the program brings no job system: own_threads_tbb.cpp, or own_threads_none.cpp in the library that
-// depends on nothing (engine/c). CMake picks.
+// Where parallel_for runs if the program brings no job system: own_threads_tbb.cpp, or own_threads_none.cpp
+// in the library that depends on nothing (engine/c). CMake picks.
 #pragma once
 
 #include "slipface/base/parallel.h"

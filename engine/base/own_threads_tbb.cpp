@@ -1,12 +1,12 @@
 // The library's own threads: those of TBB.
-#include "own_threads.h"
-
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <thread>
+
+#include "own_threads.h"
 
 namespace slipface {
 

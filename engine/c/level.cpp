@@ -1,12 +1,11 @@
 // slipface_level.h: the part of the C library that needs levels and files.
-#include "slipface_level.h"
-
 #include "calls.h"
 #include "slipface/base/system.h"
 #include "slipface/level/find_start.h"
 #include "slipface/level/level_file.h"
 #include "slipface/level/level_scene.h"
 #include "slipface/level/preset.h"
+#include "slipface_level.h"
 
 using namespace slipface;
 using namespace slipface::c;

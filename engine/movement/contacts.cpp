@@ -1,5 +1,5 @@
-// The contacts of a step for its caller. They lie in the caller's room; a Motion knows how many of them are its own, so that a
-// move that is tried and taken back takes its contacts back.
+// The contacts of a step for its caller. They lie in the caller's room; a Motion knows how many of them are
+// its own, so that a move that is tried and taken back takes its contacts back.
 #include <algorithm>
 
 #include "mover.h"

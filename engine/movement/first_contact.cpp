@@ -4,7 +4,8 @@ namespace slipface {
 
 std::optional<Contact> first_contact(const MovementScene& scene, const Vec3& radii, const Vec3& from,
                                      const Vec3& move) {
-    std::optional<Contact> first = sweep_ellipsoid(scene.collision, radii, from, move, filter_of(scene, no_id));
+    std::optional<Contact> first =
+        sweep_ellipsoid(scene.collision, radii, from, move, filter_of(scene, no_id));
     for (std::uint32_t i = 0; i < scene.platforms.size(); ++i) {
         const std::optional<Contact> contact =
             sweep_ellipsoid(scene.platforms[i].at_end(), radii, from, move, filter_of(scene, i));

@@ -17,8 +17,7 @@ void each_world(const Mover& mover, const Vec3& from, const Vec3& move, Visit&& 
     visit(mover.around.near, no_id, mover.scene.triangles);
     each_platform(mover, from, move, [&](std::uint32_t i) {
         const MovingPart& part = mover.scene.platforms[i];
-        if (i != mover.ignored_platform)
-            visit(seen_at(mover, i, pose_after(mover, part)), i, part.triangles);
+        if (i != mover.ignored_platform) visit(seen_at(mover, i, pose_after(mover, part)), i, part.triangles);
     });
 }
 

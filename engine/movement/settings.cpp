@@ -37,12 +37,11 @@ std::string allowed(const SettingInfo& info) {
     }
     const bool whole = std::holds_alternative<int MovementSettings::*>(info.member);
     const bool gap = info.smallest > 0.0;
-    std::string text =
-        say("{}{} from {} to {}", gap ? "0 or " : "", whole ? "a whole number" : "a number",
-                    to_text(gap ? info.smallest : info.minimum), to_text(info.maximum));
+    std::string text = say("{}{} from {} to {}", gap ? "0 or " : "", whole ? "a whole number" : "a number",
+                           to_text(gap ? info.smallest : info.minimum), to_text(info.maximum));
     if (is_angle(info)) {
         text += say(" radians ({}deg to {}deg)", std::round(info.minimum / degree),
-                            std::round(info.maximum / degree));
+                    std::round(info.maximum / degree));
     } else if (*info.unit != '\0') {
         text += say(" {}", info.unit);
     }
@@ -198,8 +197,7 @@ Status set_setting(MovementSettings& settings, std::string_view assignment) {
     const SettingInfo* info = find_setting(name);
     if (info == nullptr) return Error{"", unknown_name(name)};
     const std::optional<double> value = parse_value(*info, text);
-    if (!value)
-        return Error{info->name, say("found '{}', expected {}", excerpt(text), allowed(*info))};
+    if (!value) return Error{info->name, say("found '{}', expected {}", excerpt(text), allowed(*info))};
     // Reports the value as the user wrote it, in degrees for example.
     if (!set_setting(settings, *info, *value))
         return Error{info->name, say("found {}, expected {}", excerpt(text), allowed(*info))};

@@ -107,7 +107,8 @@ inline std::uint64_t handle_of(Kind kind, std::unique_ptr<Object> object) {
 
 inline Vec3 positive(const slipface_vec3& v, const char* name) {
     if (!(finite(v, name).minCoeff() > 0.0))
-        refuse(SLIPFACE_WRONG_ARGUMENT, "{}: found ({}, {}, {}), expected numbers above 0", name, v.x, v.y, v.z);
+        refuse(SLIPFACE_WRONG_ARGUMENT, "{}: found ({}, {}, {}), expected numbers above 0", name, v.x, v.y,
+               v.z);
     return vec(v);
 }
 // 0 or more, and possibly infinite.
@@ -116,13 +117,14 @@ inline double distance(double value, const char* name) {
     return value;
 }
 
-// A struct that the caller fills, of its version or a later one; what it does not have is 0. `first`: the size of
-// the first version.
+// A struct that the caller fills, of its version or a later one; what it does not have is 0. `first`: the
+// size of the first version.
 template <class Sized>
 Sized taken(const Sized& from, const char* name, std::size_t first = sizeof(Sized)) {
     constexpr std::size_t most = 4096;
     if (from.size < first || from.size > most)
-        refuse(SLIPFACE_WRONG_ARGUMENT, "{}: found the size {}, expected sizeof, {}", name, from.size, sizeof(Sized));
+        refuse(SLIPFACE_WRONG_ARGUMENT, "{}: found the size {}, expected sizeof, {}", name, from.size,
+               sizeof(Sized));
     Sized here{};
     std::memcpy(&here, &from, std::min<std::size_t>(from.size, sizeof(Sized)));
     return here;

@@ -16,10 +16,12 @@ namespace {
 // What hacks add to the lists of PlayerState has room in slipface_player.
 constexpr std::size_t named_vectors = 4;
 static_assert(PlayerState::numbers.size() <= std::extent_v<decltype(slipface_player::numbers)>);
-static_assert(PlayerState::vectors.size() <= named_vectors + std::extent_v<decltype(slipface_player::vectors)>);
+static_assert(PlayerState::vectors.size() <=
+              named_vectors + std::extent_v<decltype(slipface_player::vectors)>);
 static_assert(PlayerState::counts.size() <= std::extent_v<decltype(slipface_player::counts)>);
 static_assert(PlayerState::flags.size() <= 32);
-static_assert(PlayerState::vectors[0] == &PlayerState::position && PlayerState::vectors[1] == &PlayerState::velocity &&
+static_assert(PlayerState::vectors[0] == &PlayerState::position &&
+              PlayerState::vectors[1] == &PlayerState::velocity &&
               PlayerState::vectors[2] == &PlayerState::ground_normal &&
               PlayerState::vectors[3] == &PlayerState::air_frame);
 static_assert(TriggerMemory::capacity == std::extent_v<decltype(slipface_player::trigger_type)>);
@@ -38,12 +40,15 @@ auto& vector_of(Player& player, std::size_t i) {
 
 PlayerState state_of(const World& in, const slipface_player& player) {
     if (player.size != sizeof player)
-        refuse(SLIPFACE_WRONG_ARGUMENT, "player: found one of {} bytes, expected {}, as slipface_player_at writes it",
-               player.size, sizeof player);
+        refuse(SLIPFACE_WRONG_ARGUMENT,
+               "player: found one of {} bytes, expected {}, as slipface_player_at writes it", player.size,
+               sizeof player);
     PlayerState state;
-    constexpr std::array<const char*, named_vectors> names{"position", "velocity", "ground_normal", "air_frame"};
+    constexpr std::array<const char*, named_vectors> names{"position", "velocity", "ground_normal",
+                                                           "air_frame"};
     for (std::size_t i = 0; i < PlayerState::vectors.size(); ++i)
-        state.*PlayerState::vectors[i] = finite(vector_of(player, i), i < names.size() ? names[i] : "vectors");
+        state.*PlayerState::vectors[i] =
+            finite(vector_of(player, i), i < names.size() ? names[i] : "vectors");
     for (std::size_t i = 0; i < PlayerState::numbers.size(); ++i) {
         if (!std::isfinite(player.numbers[i]))
             refuse(SLIPFACE_WRONG_ARGUMENT, "player: found {}, expected finite numbers", player.numbers[i]);
@@ -178,7 +183,8 @@ class Caller final : public TraceSink {
     const MovementScene& scene_;
 };
 
-// What a caller wants to be told of a step. Contacts are found here and then written where the caller wants them.
+// What a caller asks of a step besides the player. Contacts are found here and then written where the caller wants
+// them.
 class Report {
   public:
     explicit Report(slipface_report* to) : to_(to) {
@@ -187,7 +193,8 @@ class Report {
         if (asked_.contact_room > 0) need("contacts", asked_.contacts);
         if (asked_.event_room > 0) need("events", asked_.events);
         if (asked_.contact_room > most || asked_.event_room > most)
-            refuse(SLIPFACE_WRONG_ARGUMENT, "report: found room for {} contacts and {} events, expected at most {}",
+            refuse(SLIPFACE_WRONG_ARGUMENT,
+                   "report: found room for {} contacts and {} events, expected at most {}",
                    asked_.contact_room, asked_.event_room, most);
     }
     Report(const Report&) = delete;
@@ -203,8 +210,9 @@ class Report {
     void* user() const { return asked_.user; }
 
     // Sets the caller's report, and returns the player after the step.
-    slipface_player finish(const MovementScene& scene, const MovementSettings& settings, const PlayerState& before,
-                           const slipface_player& player, const PlayerState& after) {
+    slipface_player finish(const MovementScene& scene, const MovementSettings& settings,
+                           const PlayerState& before, const slipface_player& player,
+                           const PlayerState& after) {
         TriggerMemory triggers = triggers_of(player);
         if (to_ == nullptr) return player_of(after, triggers);
         const std::size_t shown = std::min<std::size_t>(contacts_.count, asked_.contact_room);
@@ -338,9 +346,7 @@ slipface_status slipface_step_crowd(slipface_world world, const slipface_setting
             if (!values.contains(id)) values.emplace(id, SharedSettings(id)->values);
             if (filters != nullptr) seen.emplace_back(*in, &nth(filters, i));
             if (reports != nullptr) report.emplace_back(&nth(reports, i));
-            crowd[i] = {&values.at(id),
-                        state_of(*in, players[i]),
-                        input_of(nth(inputs, i)),
+            crowd[i] = {&values.at(id), state_of(*in, players[i]), input_of(nth(inputs, i)),
                         filters != nullptr ? seen[i].filter() : nullptr,
                         reports != nullptr ? report[i].contacts() : nullptr};
         }

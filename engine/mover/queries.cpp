@@ -112,7 +112,7 @@ slipface_contact first_contact(const Bodies& bodies, const slipface_sweep& sweep
 slipface_ray_hit hit_of(const RayHit& hit, const Body& body) {
     const std::uint32_t number =
         hit.triangle < body.numbers.size() ? body.numbers[hit.triangle] : hit.triangle;
-    return {hit.t,    vec(hit.normal), vec(hit.point),            number,
+    return {hit.t,    vec(hit.normal), vec(hit.point),          number,
             hit.face, body.platform,   hit.back_face ? 1u : 0u, {}};
 }
 

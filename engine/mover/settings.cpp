@@ -99,8 +99,8 @@ slipface_status slipface_setting_at(uint32_t number, slipface_setting* setting, 
         made.minimum = info.minimum;
         made.maximum = info.maximum;
         made.initial = get_setting(MovementSettings{}, info);
-        made.kind = is_switch(info)   ? SLIPFACE_SWITCH
-                    : is_choice(info) ? SLIPFACE_CHOICE
+        made.kind = is_switch(info)                                                ? SLIPFACE_SWITCH
+                    : is_choice(info)                                              ? SLIPFACE_CHOICE
                     : std::holds_alternative<int MovementSettings::*>(info.member) ? SLIPFACE_WHOLE
                                                                                    : SLIPFACE_NUMBER;
         *setting = made;

@@ -252,7 +252,8 @@ slipface_status slipface_world_set_face_type(slipface_world world, uint32_t face
         const ChangedWorld in(world.id);
         need_type(*in, type);
         if (face >= in->face_count())
-            refuse(SLIPFACE_WRONG_ARGUMENT, "found the face {}, expected one below {}", face, in->face_count());
+            refuse(SLIPFACE_WRONG_ARGUMENT, "found the face {}, expected one below {}", face,
+                   in->face_count());
         in->set_face_type(face, static_cast<SurfaceId>(type));
     });
 }

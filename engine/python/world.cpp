@@ -29,7 +29,8 @@ Vec3 positive(const Vec3& v, const char* name) {
     return v;
 }
 Vec3 turned(const Vec3& v, const char* name) {
-    if (finite(v, name).isZero(0.0)) throw py::value_error(std::string(name) + ": found 0, expected a direction");
+    if (finite(v, name).isZero(0.0))
+        throw py::value_error(std::string(name) + ": found 0, expected a direction");
     return v;
 }
 double distance(double value, const char* name) {
@@ -446,9 +447,9 @@ void add_world(py::module_& module) {
             "sweep",
             [](World& world, const Triple& radii, const Triple& start, const Triple& move,
                const std::vector<std::string>& ignore, std::uint32_t groups) -> py::object {
-                const auto contact = sweep_ellipsoid(
-                    world.now().collision, positive(vec(radii), "radii"), finite(vec(start), "start"),
-                    finite(vec(move), "move"), filter_of(world, ignore, groups));
+                const auto contact = sweep_ellipsoid(world.now().collision, positive(vec(radii), "radii"),
+                                                     finite(vec(start), "start"), finite(vec(move), "move"),
+                                                     filter_of(world, ignore, groups));
                 return contact ? py::object(contact_dict(world, *contact)) : py::object(py::none());
             },
             py::arg("radii"), py::arg("start"), py::arg("move"),

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "collision/scenes.h"
+#include "mover/calls.h"
 #include "slipface/level/level_file.h"
 #include "slipface/level/level_scene.h"
 
@@ -17,13 +18,6 @@ using scenes::Random;
 bool same(const slipface_vec3& a, const Vec3& b) {
     return a.x == b.x() && a.y == b.y() && a.z == b.z();
 }
-
-#define OK(call)                                    \
-    do {                                            \
-        slipface_error error;                       \
-        ASSERT_EQ(call, SLIPFACE_OK) << error.text; \
-        ASSERT_STREQ(error.text, "");               \
-    } while (false)
 
 // The same player through a level with platforms in both interfaces.
 TEST(C, StepsGiveTheBitsOfCppAndTheSameTrace) {
@@ -65,17 +59,18 @@ TEST(C, StepsGiveTheBitsOfCppAndTheSameTrace) {
     for (int tick = 0; tick < 1500; ++tick) {
         if (tick % 40 == 0) {
             const double a = random.uniform(0, 6.28);
-            input = {sizeof input, random.below(2) != 0 ? std::uint32_t{SLIPFACE_JUMP} : 0, std::cos(a), std::sin(a)};
+            input = {sizeof input, random.below(2) != 0 ? std::uint32_t{SLIPFACE_JUMP} : 0, std::cos(a),
+                     std::sin(a)};
         }
         OK(slipface_world_set_time(world, tick * dt, dt, &error));
         OK(slipface_step(world, settings, &player, &input, dt, nullptr, &report, &player, &error));
         state = step(scene.at(tick * dt, dt), level.movement, state,
-                     {.wish = {input.wish_x, input.wish_z}, .buttons = {Button::jump, input.buttons != 0}}, dt,
-                     &recorder)
+                     {.wish = {input.wish_x, input.wish_z}, .buttons = {Button::jump, input.buttons != 0}},
+                     dt, &recorder)
                     .state;
         ASSERT_TRUE(same(player.position, state.position) && same(player.velocity, state.velocity) &&
-                    ((player.flags & SLIPFACE_GROUNDED) != 0) == state.grounded && player.ground_face == state.ground_face &&
-                    player.numbers[1] == state.coyote_s)
+                    ((player.flags & SLIPFACE_GROUNDED) != 0) == state.grounded &&
+                    player.ground_face == state.ground_face && player.numbers[1] == state.coyote_s)
             << tick;
     }
     EXPECT_EQ(count.records, recorder.records.size());

@@ -1,4 +1,6 @@
 // A step with a filter is a step in a scene that has only what the filter sees: the same bits.
+#include <functional>
+
 #include "collision/scenes.h"
 #include "slipface/movement/crowd.h"
 #include "slipface/movement/first_contact.h"
@@ -86,9 +88,10 @@ TEST(SceneFilter, AStepMeetsWhatTheFilterSees) {
                     unfiltered = filtered;
         PlayerInput input;
         for (int i = 0; i < 120; ++i) {
-            if (i % 15 == 0)
-                input = wish(random.between(-1, 1), random.between(-1, 1), random.below(3) == 0);
-            MovingPart part{.rest = &whole_part, .groups = moving.groups};
+            if (i % 15 == 0) input = wish(random.between(-1, 1), random.between(-1, 1), random.below(3) == 0);
+            MovingPart part;
+            part.rest = &whole_part;
+            part.groups = moving.groups;
             part.begin.offset = Vec3(0.02 * i, 0.0, 0.01 * i);
             part.end.offset = Vec3(0.02 * (i + 1), 0.0, 0.01 * (i + 1));
             part.pivot = part.end.offset;
@@ -142,10 +145,11 @@ TEST(SceneFilter, CharactersOfOtherGroupsPassThroughEachOther) {
             step_crowd(lab.scene(), crowd, tick);
             alone = step(lab.scene(), settings, alone, crowd[0].input, tick).state;
         }
-        if (second == &blue)
+        if (second == &blue) {
             EXPECT_EQ(crowd[0].state, alone);  // red does not meet blue, so neither meets the other
-        else
+        } else {
             EXPECT_LT(crowd[0].state.position.x(), 0.0);
+        }
     }
 }
 

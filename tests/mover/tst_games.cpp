@@ -1,32 +1,21 @@
-// What a game asks of slipface.h beside a step: filters, contacts, events, triggers, rollback, threads of its own.
-#include <gtest/gtest.h>
-#include <slipface.h>
+// What a game asks of slipface.h beside a step: filters, contacts, events, triggers, rollback, threads of its
+// own.
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <thread>
 #include <vector>
 
+#include "mover/calls.h"
 #include "slipface/movement/settings.h"
 
+namespace slipface {
 namespace {
 
-#define OK(call)                                    \
-    do {                                            \
-        slipface_error error;                       \
-        ASSERT_EQ(call, SLIPFACE_OK) << error.text; \
-    } while (false)
+using calls::Random;
 
 constexpr double dt = 1.0 / 60.0;
-
-struct Random {
-    std::uint64_t state;
-    double between(double low, double high) {
-        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-        return low + (high - low) * (static_cast<double>(state >> 11) * 0x1.0p-53);
-    }
-    int below(int count) { return static_cast<int>(between(0, count)); }
-};
 
 struct Shape {
     std::vector<float> positions;
@@ -47,7 +36,7 @@ struct Shape {
     }
     slipface_triangles view() const {
         return {sizeof(slipface_triangles), positions.data(), positions.size() / 3, indices.data(),
-                indices.size() / 3, types.data(), groups.data()};
+                indices.size() / 3,         types.data(),     groups.data()};
     }
 };
 
@@ -86,7 +75,8 @@ void set_lift(slipface_world world, std::uint32_t lift, int tick) {
 
 }  // namespace
 
-// 16 players; at every tick the last 8 are played again from copies, as a game does that learns of late inputs.
+// 16 players; at every tick the last 8 are played again from copies, as a game does that learns of late
+// inputs.
 TEST(Games, RollbackGivesTheSameBits) {
     slipface_world world{};
     slipface_settings settings{};
@@ -114,7 +104,8 @@ TEST(Games, RollbackGivesTheSameBits) {
     };
     Players players(count);
     for (std::size_t i = 0; i < count; ++i)
-        OK(slipface_player_at(world, {1.5 * static_cast<double>(i % 4) - 2, 2, 1.5 * static_cast<double>(i / 4) - 2},
+        OK(slipface_player_at(world,
+                              {1.5 * static_cast<double>(i % 4) - 2, 2, 1.5 * static_cast<double>(i / 4) - 2},
                               &players[i], &error));
     std::vector<Players> past;
     for (int tick = 0; tick < 200; ++tick) {
@@ -130,8 +121,8 @@ TEST(Games, RollbackGivesTheSameBits) {
     OK(slipface_settings_free(settings, &error));
 }
 
-// A trapdoor of group 2 carries those whose mask has it; the callback does the same by triangles; and the type by
-// its number.
+// A trapdoor of group 2 carries those whose mask has it; the callback does the same by triangles; and the
+// type by its number.
 TEST(Games, AFilterLetsAPlayerFall) {
     Shape shape;
     shape.floor(-5, 5, 0, 1, 2);
@@ -223,8 +214,9 @@ TEST(Games, AStepTellsOfContactsAndOfATriggerThatMoves) {
             entered += events[i].kind == SLIPFACE_ENTERED;
             stayed += events[i].kind == SLIPFACE_STAYED;
             departed += events[i].kind == SLIPFACE_DEPARTED;
-            if (events[i].kind >= SLIPFACE_ENTERED)
+            if (events[i].kind >= SLIPFACE_ENTERED) {
                 EXPECT_TRUE(events[i].type == type && events[i].platform == gate);
+            }
         }
     }
     EXPECT_GT(walls, 10);
@@ -270,11 +262,11 @@ TEST(Games, AJobSystemOfThePrograms) {
     };
     for (int tick = 0; tick < 30; ++tick) {
         OK(slipface_set_jobs(run, &counted, 3, &error));
-        OK(slipface_step_many(world, settings, players.data(), inputs.data(), players.size(), dt, nullptr, nullptr,
-                              &error));
+        OK(slipface_step_many(world, settings, players.data(), inputs.data(), players.size(), dt, nullptr,
+                              nullptr, &error));
         OK(slipface_set_jobs(nullptr, nullptr, 0, &error));
-        OK(slipface_step_many(world, settings, alone.data(), inputs.data(), alone.size(), dt, nullptr, nullptr,
-                              &error));
+        OK(slipface_step_many(world, settings, alone.data(), inputs.data(), alone.size(), dt, nullptr,
+                              nullptr, &error));
     }
     EXPECT_GE(counted.runs, 30);
     EXPECT_GT(counted.jobs, 60U);
@@ -283,7 +275,8 @@ TEST(Games, AJobSystemOfThePrograms) {
     OK(slipface_settings_free(settings, &error));
 }
 
-// A caller of a later version, whose structs are longer, is understood; arrays are stepped through by the size.
+// A caller of a later version, whose structs are longer, is understood; arrays are stepped through by the
+// size.
 TEST(Games, LongerStructsOfLaterVersionsAreUnderstood) {
     slipface_world world{};
     slipface_settings settings{};
@@ -305,7 +298,8 @@ TEST(Games, LongerStructsOfLaterVersionsAreUnderstood) {
     }
     same = players;
     for (int tick = 0; tick < 30; ++tick) {
-        OK(slipface_step_many(world, settings, players.data(), inputs.data(), 20, dt, nullptr, nullptr, &error));
+        OK(slipface_step_many(world, settings, players.data(), inputs.data(), 20, dt, nullptr, nullptr,
+                              &error));
         OK(slipface_step_many(world, settings, same.data(), &later[0].now, 20, dt, nullptr, nullptr, &error));
     }
     EXPECT_EQ(std::memcmp(players.data(), same.data(), 20 * sizeof same[0]), 0);
@@ -316,7 +310,7 @@ TEST(Games, LongerStructsOfLaterVersionsAreUnderstood) {
 TEST(Games, SettingsHaveNumbers) {
     slipface_settings settings{};
     OK(slipface_settings_new("momentum", &settings, &error));
-    ASSERT_EQ(slipface_setting_count(), slipface::settings_table().size());
+    ASSERT_EQ(slipface_setting_count(), settings_table().size());
     for (std::uint32_t i = 0; i < slipface_setting_count(); ++i) {
         slipface_setting setting;
         std::uint32_t number = 0;
@@ -331,7 +325,8 @@ TEST(Games, SettingsHaveNumbers) {
         EXPECT_EQ(by_name, setting.maximum);
         EXPECT_EQ(by_number, setting.maximum);
         EXPECT_EQ(slipface_settings_set_number(settings, i, std::nan(""), nullptr), SLIPFACE_WRONG_ARGUMENT);
-        EXPECT_EQ(slipface_settings_set_number(settings, i, setting.maximum + 1, nullptr), SLIPFACE_WRONG_ARGUMENT);
+        EXPECT_EQ(slipface_settings_set_number(settings, i, setting.maximum + 1, nullptr),
+                  SLIPFACE_WRONG_ARGUMENT);
     }
     OK(slipface_settings_free(settings, &error));
 }
@@ -361,8 +356,9 @@ TEST(Games, MisusesAreErrors) {
     double value = 0;
     for (const double bad : {nan, inf, -inf}) {
         slipface_sweep sweep{{0.4, 0.9, 0.4}, {0, 2, 0}, {0, -1, 0}};
-        for (double* const one : {&sweep.radii.x, &sweep.radii.y, &sweep.radii.z, &sweep.from.x, &sweep.from.y,
-                                  &sweep.from.z, &sweep.move.x, &sweep.move.y, &sweep.move.z}) {
+        for (double* const one :
+             {&sweep.radii.x, &sweep.radii.y, &sweep.radii.z, &sweep.from.x, &sweep.from.y, &sweep.from.z,
+              &sweep.move.x, &sweep.move.y, &sweep.move.z}) {
             const double good = *one;
             *one = bad;
             wrong(slipface_sweep_one(world, &sweep, nullptr, &contact, &error), "finite");
@@ -372,13 +368,17 @@ TEST(Games, MisusesAreErrors) {
         }
         wrong(slipface_ray(world, {0, bad, 0}, {0, 1, 0}, 1, nullptr, &hit, &error), "origin");
         wrong(slipface_ray(world, {0, 1, 0}, {0, 1, bad}, 1, nullptr, &hit, &error), "direction");
-        wrong(slipface_ray_hits(world, {0, bad, 0}, {0, 1, 0}, 1, nullptr, &hit, 1, &found, &error), "origin");
+        wrong(slipface_ray_hits(world, {0, bad, 0}, {0, 1, 0}, 1, nullptr, &hit, 1, &found, &error),
+              "origin");
         wrong(slipface_closest_point(world, {bad, 0, 0}, 1, nullptr, &closest, &error), "point");
-        wrong(slipface_overlaps(world, {0.4, 0.9, 0.4}, {bad, 0, 0}, nullptr, &overlap, 1, &found, &error), "centre");
-        wrong(slipface_overlaps(world, {bad, 0.9, 0.4}, {0, 0, 0}, nullptr, &overlap, 1, &found, &error), "radii");
+        wrong(slipface_overlaps(world, {0.4, 0.9, 0.4}, {bad, 0, 0}, nullptr, &overlap, 1, &found, &error),
+              "centre");
+        wrong(slipface_overlaps(world, {bad, 0.9, 0.4}, {0, 0, 0}, nullptr, &overlap, 1, &found, &error),
+              "radii");
         wrong(slipface_player_at(world, {bad, 0, 0}, &player, &error), "position");
         std::uint8_t done = 0;
-        wrong(slipface_put_player(world, settings, &player, bad, nullptr, &player, &done, &error), "farthest");
+        wrong(slipface_put_player(world, settings, &player, bad, nullptr, &player, &done, &error),
+              "farthest");
         wrong(slipface_world_move_platform(world, lift, {bad, 0, 0}, nullptr, dt, &error), "position");
         const slipface_input input{sizeof input, 0, bad, 0};
         wrong(slipface_step(world, settings, &player, &input, dt, nullptr, nullptr, &player, &error), "wish");
@@ -389,7 +389,8 @@ TEST(Games, MisusesAreErrors) {
         wrong(slipface_overlaps(world, {radius, 0.9, 0.4}, {0, 0, 0}, nullptr, &overlap, 1, &found, &error),
               "above 0");
         std::uint8_t done = 0;
-        wrong(slipface_change_body(world, settings, &player, {0.4, radius, 0.4}, nullptr, &player, &done, &error),
+        wrong(slipface_change_body(world, settings, &player, {0.4, radius, 0.4}, nullptr, &player, &done,
+                                   &error),
               "above 0");
     }
     wrong(slipface_ray(world, {0, 1, 0}, {0, 0, 0}, 1, nullptr, &hit, &error), "direction");
@@ -405,8 +406,9 @@ TEST(Games, MisusesAreErrors) {
     wrong(slipface_setting_find("gravty", &number, &error), "gravty");
     wrong(slipface_settings_get_number(settings, 5000, &value, &error), "5000");
     wrong(slipface_settings_new("nobody", &settings, &error), "platformer");
-    wrong(slipface_set_jobs([](void*, std::size_t, void (*)(void*, std::size_t), void*) {}, nullptr, 0, &error),
-          "threads");
+    wrong(
+        slipface_set_jobs([](void*, std::size_t, void (*)(void*, std::size_t), void*) {}, nullptr, 0, &error),
+        "threads");
     // Structs without their size, and a player of another version.
     slipface_input input{sizeof input, 0, 0, 0};
     input.size = 0;
@@ -429,7 +431,10 @@ TEST(Games, MisusesAreErrors) {
     wrong(slipface_motion_velocity(nullptr, &turned, &error), "null");
     old = player;
     old.trigger_count = 99;
-    wrong(slipface_step(world, settings, &old, &input, dt, nullptr, nullptr, &player, &error), "trigger_count");
+    wrong(slipface_step(world, settings, &old, &input, dt, nullptr, nullptr, &player, &error),
+          "trigger_count");
     EXPECT_EQ(slipface_world_free(world, nullptr), SLIPFACE_OK);
     EXPECT_EQ(slipface_settings_free(settings, nullptr), SLIPFACE_OK);
 }
+
+}  // namespace slipface

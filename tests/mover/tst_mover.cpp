@@ -1,6 +1,5 @@
 // slipface.h against the C++ functions: the same bits, and an error instead of a crash for bad input.
 #include <gtest/gtest.h>
-#include <slipface.h>
 
 #include <algorithm>
 #include <atomic>
@@ -9,6 +8,7 @@
 #include <thread>
 
 #include "collision/scenes.h"
+#include "mover/calls.h"
 #include "slipface/collision/filter.h"
 #include "slipface/movement/crowd.h"
 
@@ -24,13 +24,6 @@ slipface_vec3 c_of(const Vec3& v) {
 bool same(const slipface_vec3& a, const Vec3& b) {
     return a.x == b.x() && a.y == b.y() && a.z == b.z();
 }
-
-#define OK(call)                                    \
-    do {                                            \
-        slipface_error error;                       \
-        ASSERT_EQ(call, SLIPFACE_OK) << error.text; \
-        ASSERT_STREQ(error.text, "");               \
-    } while (false)
 
 // Triangles of random types and groups, for both interfaces.
 struct Twin {
@@ -52,9 +45,8 @@ struct Twin {
         }
         for (const Vec3f& p : soup.positions)
             positions.insert(positions.end(), {p.x(), p.y(), p.z()});
-        view = {sizeof view,
-                positions.data(),      soup.positions.size(), indices.data(),
-                soup.triangles.size(), types.data(),          groups.data()};
+        view = {sizeof view,           positions.data(), soup.positions.size(), indices.data(),
+                soup.triangles.size(), types.data(),     groups.data()};
     }
     CollisionWorld world(const std::vector<SurfaceType>& surfaces) const {
         CollisionWorld made = soup.world();
@@ -304,7 +296,8 @@ TEST(Mover, BadInputIsRefusedInWords) {
     for (const auto& [triangles, text] : std::initializer_list<std::pair<slipface_triangles, const char*>>{
              {{sizeof(slipface_triangles), floor, 4, beyond, 1, nullptr, nullptr}, "position 9"},
              {{sizeof(slipface_triangles), nullptr, 4, quad, 2, nullptr, nullptr}, "null"},
-             {{sizeof(slipface_triangles), floor, 4, quad, std::size_t{1} << 40, nullptr, nullptr}, "at most"},
+             {{sizeof(slipface_triangles), floor, 4, quad, std::size_t{1} << 40, nullptr, nullptr},
+              "at most"},
              {{sizeof(slipface_triangles), floor, 4, quad, 2, wrong_types, nullptr}, "type 99"},
              {{sizeof(slipface_triangles), nan_floor, 4, quad, 2, nullptr, nullptr}, "finite"}})
         expect(slipface_world_from_triangles(&triangles, &other, &error), SLIPFACE_WRONG_ARGUMENT, text);
@@ -314,8 +307,8 @@ TEST(Mover, BadInputIsRefusedInWords) {
     expect(slipface_settings_set(settings, "gravity=-1", &error), SLIPFACE_WRONG_ARGUMENT, "gravity");
     slipface_player put{};
     std::uint8_t done = 0;
-    expect(slipface_put_player(world, settings, &put, -1.0, nullptr, &put, &done, &error), SLIPFACE_WRONG_ARGUMENT,
-           "farthest");
+    expect(slipface_put_player(world, settings, &put, -1.0, nullptr, &put, &done, &error),
+           SLIPFACE_WRONG_ARGUMENT, "farthest");
     expect(slipface_world_set_face_type(world, 2, 0, &error), SLIPFACE_WRONG_ARGUMENT, "below 2");
     expect(slipface_world_set_face_type(world, 0, 77, &error), SLIPFACE_WRONG_ARGUMENT, "type 77");
     const double two[] = {1, 2};
@@ -337,8 +330,8 @@ TEST(Mover, BadInputIsRefusedInWords) {
            SLIPFACE_WRONG_ARGUMENT, "ground_platform");
     lost = player;
     lost.ground_type = 200;
-    expect(slipface_step_many(world, settings, &lost, &input, 1, 0.1, nullptr, nullptr, &error), SLIPFACE_WRONG_ARGUMENT,
-           "ground_type");
+    expect(slipface_step_many(world, settings, &lost, &input, 1, 0.1, nullptr, nullptr, &error),
+           SLIPFACE_WRONG_ARGUMENT, "ground_type");
     EXPECT_EQ(std::memcmp(&next, &player, sizeof next), 0);
     // A handle of the other kind, one that was never given out, one that was freed, and one after another.
     expect(slipface_world_free({settings.id}, &error), SLIPFACE_WRONG_HANDLE, "world");

@@ -1,25 +1,22 @@
-// The walk of npm/test/bits.test.js, step for step: WebAssembly in node has the hashes of this processor, which npm/test/hashes.json has.
-#include <gtest/gtest.h>
-#include <slipface.h>
+// The walk of npm/test/bits.test.js, step for step: WebAssembly in node has the hashes of this processor,
+// which npm/test/hashes.json has.
 
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
+#include "mover/calls.h"
+
+namespace slipface {
 namespace {
 
-struct Random {
-    std::uint64_t state;
-    double between(double low, double high) {
-        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-        return low + (high - low) * (static_cast<double>(state >> 11) * 0x1.0p-53);
-    }
-    std::uint32_t below(int count) { return static_cast<std::uint32_t>(between(0, count)); }
-};
+using calls::Random;
 
-void add_quad(std::vector<float>& positions, std::vector<std::uint32_t>& indices, const float (&corners)[12]) {
+void add_quad(std::vector<float>& positions, std::vector<std::uint32_t>& indices,
+              const float (&corners)[12]) {
     const auto first = static_cast<std::uint32_t>(positions.size() / 3);
     positions.insert(positions.end(), corners, corners + 12);
     for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U})
@@ -42,9 +39,11 @@ std::uint64_t walk(const char* preset) {
     add_quad(positions, indices, {-40, -1, -40, -40, -1, 40, 40, -1, 40, 40, -1, -40});
     types.insert(types.end(), 2, 0);
     add_quad(plate, plate_indices, {-2, 0, -2, -2, 0, 2, 2, 0, 2, 2, 0, -2});
-    const slipface_triangles yard{sizeof yard, positions.data(), positions.size() / 3, indices.data(),
-                                  indices.size() / 3, types.data(), nullptr};
-    const slipface_triangles lift_shape{sizeof yard, plate.data(), 4, plate_indices.data(), 2, nullptr, nullptr};
+    const slipface_triangles yard{sizeof yard,    positions.data(),   positions.size() / 3,
+                                  indices.data(), indices.size() / 3, types.data(),
+                                  nullptr};
+    const slipface_triangles lift_shape{sizeof yard, plate.data(), 4,      plate_indices.data(),
+                                        2,           nullptr,      nullptr};
     slipface_world world{};
     slipface_settings settings{};
     std::uint32_t lift = 0;
@@ -67,11 +66,11 @@ std::uint64_t walk(const char* preset) {
             input = {sizeof input, random.below(3) == 0 ? std::uint32_t{SLIPFACE_JUMP} : 0U, x, z};
         }
         const double rotation[4] = {0, 0.01 * tick, 0, 1};
-        EXPECT_EQ(slipface_world_move_platform(world, lift, {0.03 * tick - 3, 0.01 * tick, 0}, rotation, 1.0 / 60,
-                                               nullptr),
+        EXPECT_EQ(slipface_world_move_platform(world, lift, {0.03 * tick - 3, 0.01 * tick, 0}, rotation,
+                                               1.0 / 60, nullptr),
                   SLIPFACE_OK);
-        EXPECT_EQ(slipface_step_crowd(world, each.data(), players.data(), inputs.data(), count, 1.0 / 60, nullptr,
-                                      nullptr, nullptr),
+        EXPECT_EQ(slipface_step_crowd(world, each.data(), players.data(), inputs.data(), count, 1.0 / 60,
+                                      nullptr, nullptr, nullptr),
                   SLIPFACE_OK);
         for (const slipface_player& player : players) {
             unsigned char bytes[sizeof player];
@@ -100,3 +99,5 @@ TEST(NpmBits, AreTheHashesOfThePackagesTest) {
     }
     EXPECT_EQ(found + "}\n", kept);
 }
+
+}  // namespace slipface

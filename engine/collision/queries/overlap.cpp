@@ -118,12 +118,12 @@ bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& ce
 bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
                   const QueryFilter& filter) {
     bool found = false;
-    visit_near(
-        Sight(world.impl()), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
-            found = filter.sees(leaf.id, world.impl().surface_of(leaf.id)) &&
-                    overlaps(world.impl(), query, leaf, filter.solid);
-            return !found;
-        });
+    visit_near(Sight(world.impl()), radii, centre,
+               [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+                   found = filter.sees(leaf.id, world.impl().surface_of(leaf.id)) &&
+                           overlaps(world.impl(), query, leaf, filter.solid);
+                   return !found;
+               });
     return found;
 }
 
@@ -145,12 +145,12 @@ std::size_t find_overlaps(const PosedWorld& world, const Vec3& radii, const Vec3
 bool overlaps_any(const PosedWorld& world, const Vec3& radii, const Vec3& centre, const QueryFilter& filter) {
     const PosedSight sight(world);
     bool found = false;
-    visit_near(
-        sight, radii, centre - world.origin(), [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
-            found = filter.sees(leaf.id, sight.world.surface_of(leaf.id)) &&
-                    overlaps(sight.world, query, leaf, filter.solid);
-            return !found;
-        });
+    visit_near(sight, radii, centre - world.origin(),
+               [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+                   found = filter.sees(leaf.id, sight.world.surface_of(leaf.id)) &&
+                           overlaps(sight.world, query, leaf, filter.solid);
+                   return !found;
+               });
     return found;
 }
 

@@ -61,7 +61,7 @@ struct Search {
         const SurfaceRule rule = world.rule_of(leaf.id);
         return rule.solid == (filter == nullptr || filter->solid) &&
                !(stops == RayStops::as_movement && rule.one_sided &&
-                               dot(winding_normal(leaf), direction) > 0.0);
+                 dot(winding_normal(leaf), direction) > 0.0);
     }
     void consider(const LeafTriangle& leaf) {
         RayTouch other;

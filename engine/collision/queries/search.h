@@ -40,7 +40,8 @@ struct Search {
     bool stopped_by(const LeafTriangle& leaf, const TriangleHit& other) const {
         if (!world.plain || !solid) {
             const SurfaceRule& rule = world.rule_of(leaf.id);
-            if (rule.solid != solid || (rule.one_sided && kernels.passes_one_sided(leaf, query, other))) return false;
+            if (rule.solid != solid || (rule.one_sided && kernels.passes_one_sided(leaf, query, other)))
+                return false;
         }
         return in_floats || well_formed(kernels.touch_of_hit(leaf, query, other));
     }

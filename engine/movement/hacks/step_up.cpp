@@ -85,7 +85,9 @@ bool goes_on_above(const Mover& mover, const Met& met, double height, double neg
     Vec3 top = met.point;
     // The triangles of a polygon have consecutive numbers.
     for (const TriangleId id : {met.triangle, met.triangle + 1, met.triangle - 1}) {
-        if (id >= world.triangle_count() || !world.filter.sees(id, type(id)) || (id != met.triangle && type(id) != type(met.triangle))) continue;
+        if (id >= world.triangle_count() || !world.filter.sees(id, type(id)) ||
+            (id != met.triangle && type(id) != type(met.triangle)))
+            continue;
         top.y() += goes_up(world.triangle(id), top, lean, negligible);
         if (top.y() >= met.point.y() + height) return true;
     }

@@ -1,7 +1,7 @@
 /* Slipface for C and for everything that can call C: swept ellipsoids against triangles, and a player that is
- * moved by them. The same results as the C++ library, to the bit. Two libraries have these functions, of which a
- * program links one: libslipface-mover, which depends on the runtime of C and C++ alone, and libslipface, which
- * also has those of slipface_level.h.
+ * moved by them. The same results as the C++ library, to the bit. Two libraries have these functions, of
+ * which a program links one: libslipface-mover, which depends on the runtime of C and C++ alone, and
+ * libslipface, which also has those of slipface_level.h.
  *
  * Space: metres, +Y up, right-handed. Angles in radians, time in seconds.
  *
@@ -54,10 +54,10 @@ typedef struct slipface_error {
 
 #define SLIPFACE_NONE UINT32_MAX /* no triangle, no face, no platform */
 
-/* The program's own threads for what says that it uses them: `run` calls job(data, i) for each i below `count`, on
- * any threads, and returns when all have returned; a job waits for no other. `threads`: for how many work is cut
- * into jobs. `run` null: libslipface's own threads, in libslipface-mover the calling thread. Call it before
- * everything else. */
+/* The program's own threads for what says that it uses them: `run` calls job(data, i) for each i below
+ * `count`, on any threads, and returns when all have returned; a job waits for no other. `threads`: for how
+ * many work is cut into jobs. `run` null: libslipface's own threads, in libslipface-mover the calling thread.
+ * Call it before everything else. */
 typedef void (*slipface_run_jobs)(void* user, size_t count, void (*job)(void* data, size_t i), void* data);
 SLIPFACE_API slipface_status slipface_set_jobs(slipface_run_jobs run, void* user, uint32_t threads,
                                                slipface_error* error);
@@ -72,8 +72,8 @@ typedef struct slipface_settings {
     uint64_t id; /* 0 is never one */
 } slipface_settings;
 
-/* The defaults, or those of a preset: "platformer", "lecture", "precise-platformer", "momentum", "simulation".
- * `preset` may be null. */
+/* The defaults, or those of a preset: "platformer", "lecture", "precise-platformer", "momentum",
+ * "simulation". `preset` may be null. */
 SLIPFACE_API slipface_status slipface_settings_new(const char* preset, slipface_settings* settings,
                                                    slipface_error* error);
 SLIPFACE_API slipface_status slipface_settings_free(slipface_settings settings, slipface_error* error);
@@ -115,7 +115,7 @@ typedef struct slipface_world {
 } slipface_world;
 
 typedef struct slipface_triangles {
-    uint32_t size; /* sizeof(slipface_triangles) */
+    uint32_t size;          /* sizeof(slipface_triangles) */
     const float* positions; /* x, y, z of each */
     size_t position_count;
     const uint32_t* indices; /* three of each triangle, counter-clockwise seen from the front */
@@ -170,18 +170,19 @@ SLIPFACE_API slipface_status slipface_world_move_platform(slipface_world world, 
 
 /* What a query sees and a player meets. Where a filter may be null, null sees everything. */
 typedef struct slipface_filter {
-    uint32_t size;                /* sizeof(slipface_filter) */
-    uint32_t mask;                /* what has one of these groups is seen; UINT32_MAX: all */
-    uint32_t groups;              /* of a player itself, for the masks of other players; not for queries */
+    uint32_t size;   /* sizeof(slipface_filter) */
+    uint32_t mask;   /* what has one of these groups is seen; UINT32_MAX: all */
+    uint32_t groups; /* of a player itself, for the masks of other players; not for queries */
     uint32_t ignored_type_count;
     const uint8_t* ignored_types; /* types that are not seen; may be null if the count is 0 */
-    /* Asked last, 0: not seen; null: all are. It is called from several threads at once if the call uses several,
-     * must answer the same every time within the call, and must not throw or jump out. */
+    /* Asked last, 0: not seen; null: all are. It is called from several threads at once if the call uses
+     * several, must answer the same every time within the call, and must not throw or jump out. */
     int (*sees)(void* user, uint32_t platform, uint32_t triangle);
     void* user;
 } slipface_filter;
 /* slipface_filter filter = SLIPFACE_FILTER; filter.mask = ... */
-#define SLIPFACE_FILTER {sizeof(slipface_filter), UINT32_MAX, UINT32_MAX, 0, NULL, NULL, NULL}
+#define SLIPFACE_FILTER \
+    { sizeof(slipface_filter), UINT32_MAX, UINT32_MAX, 0, NULL, NULL, NULL }
 
 typedef enum slipface_feature {
     SLIPFACE_INTERIOR = 0,
@@ -204,8 +205,8 @@ typedef struct slipface_contact {
                           level within the whole level */
     uint32_t feature;  /* a slipface_feature */
     uint32_t pass;     /* of a step's contact: a slipface_pass */
-    double speed;      /* of a step's contact, whose t is 0: m/s, at which body and face approached each other along the
-                          normal */
+    double speed;      /* of a step's contact, whose t is 0: m/s, at which body and face approached each other
+                          along the      normal */
     uint32_t reserved[4];
 } slipface_contact;
 
@@ -234,8 +235,8 @@ typedef struct slipface_overlap {
     uint32_t reserved[5];
 } slipface_overlap;
 
-/* Numbers that are not finite, radii that are not positive and a ray without a direction are errors. A move of no
- * length hits nothing. */
+/* Numbers that are not finite, radii that are not positive and a ray without a direction are errors. A move
+ * of no length hits nothing. */
 SLIPFACE_API slipface_status slipface_sweep_one(slipface_world world, const slipface_sweep* sweep,
                                                 const slipface_filter* filter, slipface_contact* contact,
                                                 slipface_error* error);
@@ -302,8 +303,8 @@ typedef enum slipface_flag {
     SLIPFACE_CRUSHED = 1 << 7  /* by a platform that left no room, in this step */
 } slipface_flag;
 
-/* All that a step knows of a player: copy it to save it, and step the copy to replay (rollback). Its bytes are
- * equal where its meaning is. */
+/* All that a step knows of a player: copy it to save it, and step the copy to replay (rollback). Its bytes
+ * are equal where its meaning is. */
 typedef struct slipface_player {
     uint32_t size;          /* slipface_player_at writes it; a struct of another size is refused */
     uint32_t flags;         /* slipface_flag */
@@ -312,7 +313,7 @@ typedef struct slipface_player {
                                slipface_motion_velocity */
     slipface_vec3 ground_normal;
     slipface_vec3
-        air_frame; /* m/s, in the air: of the ground that was left; the stick steers relative to it */
+        air_frame;     /* m/s, in the air: of the ground that was left; the stick steers relative to it */
     int32_t sector[3]; /* all 0 in a world without sectors */
     uint32_t ground_face, ground_platform;
     uint8_t ground_type;
@@ -337,20 +338,21 @@ typedef enum slipface_pass {
 } slipface_pass;
 
 typedef enum slipface_event_kind {
-    SLIPFACE_LANDED = 0,       /* value: the speed, m/s, at which the player met the ground */
-    SLIPFACE_LEFT = 1,         /* the ground; value: the speed upwards, m/s */
-    SLIPFACE_TOUCHED = 2,      /* a face of a type other than 0, once per step; value: the speed into it, m/s */
-    SLIPFACE_MET_HAZARD = 3,   /* and none in the step before */
-    SLIPFACE_STEPPED = 4,      /* up; value: how high, m */
-    SLIPFACE_WAS_CRUSHED = 5,  /* and was not in the step before */
-    SLIPFACE_ENTERED = 6,      /* a trigger: what is not solid, all faces of its type in the world or in a platform.
-                                  Where they are closed, their inside, too. */
-    SLIPFACE_STAYED = 7,       /* in it */
-    SLIPFACE_DEPARTED = 8      /* from it */
+    SLIPFACE_LANDED = 0,     /* value: the speed, m/s, at which the player met the ground */
+    SLIPFACE_LEFT = 1,       /* the ground; value: the speed upwards, m/s */
+    SLIPFACE_TOUCHED = 2,    /* a face of a type other than 0, once per step; value: the speed into it, m/s */
+    SLIPFACE_MET_HAZARD = 3, /* and none in the step before */
+    SLIPFACE_STEPPED = 4,    /* up; value: how high, m */
+    SLIPFACE_WAS_CRUSHED = 5, /* and was not in the step before */
+    SLIPFACE_ENTERED = 6,     /* a trigger: what is not solid, all faces of its type in the world or in a
+                                 platform.     Where they are closed, their inside, too. */
+    SLIPFACE_STAYED = 7,      /* in it */
+    SLIPFACE_DEPARTED = 8     /* from it */
 } slipface_event_kind;
 typedef struct slipface_event {
-    uint32_t kind;                 /* a slipface_event_kind */
-    uint32_t type, platform, face; /* of what was touched, left or entered; SLIPFACE_NONE: no platform, no face */
+    uint32_t kind; /* a slipface_event_kind */
+    uint32_t type, platform,
+        face; /* of what was touched, left or entered; SLIPFACE_NONE: no platform, no face */
     double value;
     uint32_t reserved[2];
 } slipface_event;
@@ -377,15 +379,16 @@ typedef struct slipface_record {
  * jump out. It may query the world; changes give SLIPFACE_IN_USE there. */
 typedef void (*slipface_trace)(void* user, const slipface_record* record);
 
-/* What a step tells besides the player, into the caller's room, without allocating memory. */
+/* What a step reports besides the player, into the caller's room, without allocating memory. */
 typedef struct slipface_report {
-    uint32_t size;              /* sizeof(slipface_report) */
-    uint32_t contact_room;      /* of `contacts` */
-    slipface_contact* contacts; /* in order, once per face, normal and pass; may be null if there is no room */
-    uint32_t contact_count;     /* set */
+    uint32_t size;         /* sizeof(slipface_report) */
+    uint32_t contact_room; /* of `contacts` */
+    slipface_contact*
+        contacts;           /* in order, once per face, normal and pass; may be null if there is no room */
+    uint32_t contact_count; /* set */
     uint32_t contacts_left_out; /* set: 1 if there were more than there is room for */
-    slipface_event* events;     /* in the order of slipface_event_kind; may be null if there is no room, and then
-                                   triggers are not looked for */
+    slipface_event* events; /* in the order of slipface_event_kind; may be null if there is no room, and then
+                               triggers are not looked for */
     uint32_t event_room;
     uint32_t event_count; /* set: may be more than `event_room`, of which the first are written */
     slipface_trace trace; /* may be null; not in a crowd */
@@ -408,25 +411,26 @@ SLIPFACE_API slipface_status slipface_step_many(slipface_world world, slipface_s
                                                 slipface_player* players, const slipface_input* inputs,
                                                 size_t count, double dt, const slipface_filter* filters,
                                                 slipface_report* reports, slipface_error* error);
-/* `count` players that push each other and stand on each other, as far as their filters let them meet. `settings`
- * has the settings of each player. The order of the players changes no bit. Changes `players`. */
+/* `count` players that push each other and stand on each other, as far as their filters let them meet.
+ * `settings` has the settings of each player. The order of the players changes no bit. Changes `players`. */
 SLIPFACE_API slipface_status slipface_step_crowd(slipface_world world, const slipface_settings* settings,
                                                  slipface_player* players, const slipface_input* inputs,
                                                  size_t count, double dt, const slipface_filter* filters,
                                                  slipface_report* reports, slipface_error* error);
 /* The player with another body, its feet where they are: to crouch, to stand up. *done 0: there is no room,
- * and *next is the player as it was. Later steps need settings with the new radii. `filter` as in slipface_step. */
+ * and *next is the player as it was. Later steps need settings with the new radii. `filter` as in
+ * slipface_step. */
 SLIPFACE_API slipface_status slipface_change_body(slipface_world world, slipface_settings settings,
                                                   const slipface_player* player, slipface_vec3 radii,
-                                                  const slipface_filter* filter, slipface_player* next, uint8_t* done,
-                                                  slipface_error* error);
+                                                  const slipface_filter* filter, slipface_player* next,
+                                                  uint8_t* done, slipface_error* error);
 /* A new player where `player` is, or at the nearest place at most `farthest` metres away that is outside of
  * all geometry, solids that it does not touch included: for teleports and respawns. *done 0: there is none,
  * and *next is the player as it was. */
 SLIPFACE_API slipface_status slipface_put_player(slipface_world world, slipface_settings settings,
                                                  const slipface_player* player, double farthest,
-                                                const slipface_filter* filter, slipface_player* next,
-                                                uint8_t* done, slipface_error* error);
+                                                 const slipface_filter* filter, slipface_player* next,
+                                                 uint8_t* done, slipface_error* error);
 /* Velocity of the player's own motion, without what presses it to the ground: for animation and displays. */
 SLIPFACE_API slipface_status slipface_motion_velocity(const slipface_player* player, slipface_vec3* velocity,
                                                       slipface_error* error);

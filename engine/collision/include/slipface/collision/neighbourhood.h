@@ -15,8 +15,8 @@ class Neighbourhood {
   public:
     // Collects all triangles that an ellipsoid with radii `radii` can touch while its centre is at most
     // `reach` from `centre` along each axis (world space, metres; `reach`: 0 to 1000 radii). If these are
-    // more than near_capacity, or an argument is out of range, every query goes to the world. Queries see what
-    // `filter` sees, which must outlive the neighbourhood and be for what is solid; null: everything.
+    // more than near_capacity, or an argument is out of range, every query goes to the world. Queries see
+    // what `filter` sees, which must outlive the neighbourhood and be for what is solid; null: everything.
     Neighbourhood(const CollisionWorld& world, const Vec3& radii, const Vec3& centre, const Vec3& reach,
                   const QueryFilter* filter = nullptr);
 

@@ -12,7 +12,7 @@ namespace slipface {
 //   MovementScene seen = scene;
 //   seen.filter = &ghost;  // for step(), put_player(), slide_move() and every other query of a scene
 struct SceneFilter {
-    std::uint32_t mask = ~std::uint32_t{0};  // what has one of these groups is met, faces and characters
+    std::uint32_t mask = ~std::uint32_t{0};    // what has one of these groups is met, faces and characters
     std::uint32_t groups = ~std::uint32_t{0};  // of the character itself, for the masks of others
     std::bitset<256> ignored{};                // [SurfaceId] true: faces of the type are not met
     // As QueryFilter::ask, with the platform or no_id, and the triangle's number in that world.

@@ -21,9 +21,9 @@ struct StepContact {
     double speed = 0.0;       // m/s, at which the body and the face approached each other along the normal
 };
 
-// The contacts of a step, in order: those of its moves, not those of moves that were tried and taken back. One
-// of the same face, normal and pass is noted once, with the highest speed. step() fills `out` and allocates
-// nothing.
+// The contacts of a step, in order: those of its moves, not those of moves that were tried and taken back.
+// One of the same face, normal and pass is noted once, with the highest speed. step() fills `out` and
+// allocates nothing.
 //
 //   std::array<StepContact, 16> room;
 //   StepContacts contacts{room};
