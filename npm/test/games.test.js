@@ -12,6 +12,11 @@ const floor = {
 };
 const wall = { positions: new Float32Array([4, 0, 9, 4, 0, -9, 4, 3, -9, 4, 3, 9]), indices: floor.indices };
 
+// The module that load() makes, for its memory.
+let instance = null;
+const instantiate = WebAssembly.instantiate;
+WebAssembly.instantiate = async (...given) => (instance = await instantiate(...given));
+
 test("what is used before load() says so", () => {
     assert.throws(() => new World(floor), /await load\(\) first/);
     assert.throws(() => new Settings(), SlipfaceError);
@@ -40,7 +45,7 @@ test("a character falls, lands, walks to the wall and touches it", () => {
     assert.ok(Math.abs(fastest - 5) < 0.01, `met the wall at ${fastest} m/s`);
     assert.ok(character.grounded);
     assert.ok(Math.abs(character.position.x - 3.598) < 1e-3);
-    assert.equal(character.ground.face, 0);
+    assert.ok(character.ground.face < 2);
     assert.ok(Math.hypot(character.motion.x, character.motion.y, character.motion.z) < 1e-6);
 });
 
@@ -53,7 +58,7 @@ test("three.js geometry, with and without an index, placed by a matrix that mirr
     for (const geometry of [indexed, plain, { positions: [...floor.positions], indices: [...floor.indices] }]) {
         const world = World.fromGeometry(geometry, { matrix: { elements: up } });
         const hit = world.ray({ x: 1, y: 9, z: 1 }, { x: 0, y: -1, z: 0 });
-        assert.equal(hit.t, 7);
+        assert.ok(Math.abs(hit.t - 7) < 1e-9);
         assert.equal(hit.back, false);
         world.dispose();
     }
@@ -71,7 +76,7 @@ test("queries find what is there", () => {
     assert.equal(world.sweep(radii, { x: 0, y: 1, z: 0 }, { x: 10, y: 0, z: 0 }, { sees: (platform, triangle) => triangle < 2 }), null);
     assert.ok(Math.abs(world.closestPoint({ x: 1, y: 2, z: 1 }).distance - 2) < 1e-9);
     assert.equal(world.closestPoint({ x: 1, y: 2, z: 1 }, 1), null);
-    assert.equal(world.overlaps(radii, { x: 3.8, y: 0.5, z: 0 }).length, 4);
+    assert.equal(world.overlaps(radii, { x: 3.8, y: 0.5, z: 0 }).length, 2);
     assert.deepEqual(world.bounds.highest, { x: 20, y: 3, z: 20 });
 });
 
@@ -156,9 +161,8 @@ test("memory grows under a large world, and what was there stays", () => {
     large.dispose();
 });
 
-// Worlds that are dropped are collected: without that, 300 times 7 MB would not fit into the module's memory.
 test("nothing leaks, with and without dispose()", { timeout: 120000 }, async () => {
-    const side = 150, corners = [], indices = [];
+    const side = 40, corners = [], indices = [];
     for (let i = 0; i < side * side; ++i) corners.push(i % side, 0, Math.trunc(i / side));
     for (let z = 0; z + 1 < side; ++z)
         for (let x = 0; x + 1 < side; ++x) {
@@ -166,14 +170,20 @@ test("nothing leaks, with and without dispose()", { timeout: 120000 }, async () 
             indices.push(i, i + side, i + 1, i + 1, i + side, i + side + 1);
         }
     const mesh = { positions: Float32Array.from(corners), indices: Uint32Array.from(indices) };
-    for (let i = 0; i < 1500; ++i) {
-        const world = new World(mesh);
-        if (i % 2 === 0) world.dispose();
-        if (i % 50 === 0) {
-            global.gc?.();
+    const make = async (count) => {
+        for (let i = 0; i < count; ++i) {
+            const world = new World(mesh);
+            const character = new Character(world, new Settings(), { x: 9, y: 2, z: 9 });
+            if (i % 2 === 0) character.dispose(), world.dispose();
+            if (i % 20 !== 0) continue;
+            global.gc();
             await new Promise((done) => setTimeout(done, 0));
         }
-    }
+    };
+    await make(100);
+    const before = instance.exports.memory.buffer.byteLength;
+    await make(400);
+    assert.ok(instance.exports.memory.buffer.byteLength <= before + 4e6, `${before} bytes became ${instance.exports.memory.buffer.byteLength}`);
 });
 
 test("misuses are errors, and none of them ends the module", () => {
@@ -185,7 +195,7 @@ test("misuses are errors, and none of them ends the module", () => {
     for (const one of [gone, gone_settings, gone_character]) one.dispose(), one.dispose();
     const misuses = [
         () => new World(), () => new World(null), () => new World({}), () => new World({ positions: "abc" }),
-        () => new World({ positions: new Float64Array(9) }), () => new World({ positions: new Float32Array(8) }),
+        () => new World({ positions: new Float64Array(8) }), () => new World({ positions: new Float32Array(8) }),
         () => new World(wrong), () => new World({ ...floor, indices: new Float32Array(6) }),
         () => new World({ ...floor, indices: new Uint32Array(4) }), () => new World({ ...floor, types: new Uint8Array(1) }),
         () => new World({ ...floor, types: new Uint8Array([0, 99]) }), () => new World({ ...floor, groups: new Uint32Array(7) }),
@@ -209,7 +219,7 @@ test("misuses are errors, and none of them ends the module", () => {
         () => world.ray(zero, zero), () => world.ray(zero, { x: Infinity, y: 0, z: 0 }), () => world.ray(zero, up, -1),
         () => world.ray(zero, up, NaN), () => world.ray(zero, up, 1, { mask: 1.5 }), () => world.ray(zero, up, 1, { ignoredTypes: [300] }),
         () => world.ray(up, { x: 0, y: -1, z: 0 }, 9, { sees: 3 }),
-        () => world.ray(up, { x: 0, y: -1, z: 0 }, 9, { sees: () => { throw new SlipfaceError("mine"); } }),
+        () => world.ray(up, { x: 0, y: -1, z: 0 }, 9, { sees: () => { throw new SlipfaceError("an error of the game's own"); } }),
         () => world.ray(up, { x: 0, y: -1, z: 0 }, 9, { sees: () => world.ray(up, zero) }),
         () => world.closestPoint(zero, -1), () => world.closestPoint({}), () => world.overlaps({ ...radii, z: 0 }, zero),
         () => world.overlaps(radii, { x: 0, y: 0 }), () => world.addType("ice"), () => world.addType(""),
@@ -220,11 +230,13 @@ test("misuses are errors, and none of them ends the module", () => {
         () => world.movePlatform(0, zero, null, dt), () => world.movePlatform(null, zero, null, dt), () => gone.ray(zero, up), () => gone.bounds,
     ];
     misuses.forEach((misuse, i) => {
-        let said = null;
-        assert.throws(misuse, (error) => {
-            said = error;
-            return error instanceof SlipfaceError && error.message.length > 5;
-        }, `misuse ${i}, ${misuse}: ${said}`);
+        let found = null;
+        try {
+            misuse();
+        } catch (error) {
+            found = error;
+        }
+        assert.ok(found instanceof SlipfaceError && found.message.length > 5, `misuse ${i}, ${misuse}: ${found}`);
     });
     assert.ok(misuses.length >= 60);
     // And all goes on.

@@ -15,7 +15,7 @@
 
 namespace slipface::calls {
 
-struct Random {
+struct Dice {
     std::uint64_t state;
     double between(double low, double high) {
         state = state * 6364136223846793005ULL + 1442695040888963407ULL;

@@ -13,7 +13,7 @@
 namespace slipface {
 namespace {
 
-using calls::Random;
+using calls::Dice;
 
 constexpr double dt = 1.0 / 60.0;
 
@@ -43,7 +43,7 @@ struct Shape {
 // A bumpy yard with a lift.
 void make_yard(slipface_world& world, std::uint32_t& lift) {
     Shape yard, plate;
-    Random random{7};
+    Dice random{7};
     for (int i = 0; i < 49; ++i) {
         const auto x = static_cast<float>(3 * (i % 7) - 10), z = static_cast<float>(3 * (i / 7) - 10);
         const auto y = [&] { return static_cast<float>(random.between(-0.4, 0.4)); };
@@ -58,7 +58,7 @@ void make_yard(slipface_world& world, std::uint32_t& lift) {
 }
 
 slipface_input input_of(int player, int tick) {
-    Random random{static_cast<std::uint64_t>(player * 1000 + tick / 8)};
+    Dice random{static_cast<std::uint64_t>(player * 1000 + tick / 8)};
     return {sizeof(slipface_input), random.below(3) == 0 ? std::uint32_t{SLIPFACE_JUMP} : 0U,
             random.between(-1, 1), random.between(-1, 1)};
 }
@@ -236,7 +236,7 @@ TEST(Games, AJobSystemOfThePrograms) {
     make_yard(world, lift);
     OK(slipface_settings_new(nullptr, &settings, &error));
     std::vector<slipface_player> players(200);
-    Random random{3};
+    Dice random{3};
     for (slipface_player& player : players)
         OK(slipface_player_at(world, {random.between(-8, 8), 2, random.between(-8, 8)}, &player, &error));
     std::vector<slipface_player> alone = players;

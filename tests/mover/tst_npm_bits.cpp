@@ -13,7 +13,7 @@
 namespace slipface {
 namespace {
 
-using calls::Random;
+using calls::Dice;
 
 void add_quad(std::vector<float>& positions, std::vector<std::uint32_t>& indices,
               const float (&corners)[12]) {
@@ -24,7 +24,7 @@ void add_quad(std::vector<float>& positions, std::vector<std::uint32_t>& indices
 }
 
 std::uint64_t walk(const char* preset) {
-    Random random{11};
+    Dice random{11};
     std::vector<float> positions, plate;
     std::vector<std::uint32_t> indices, plate_indices;
     std::vector<std::uint8_t> types;
