@@ -43,7 +43,7 @@ function(slipface_compile_rules target)
     endif()
     # The program's own two files would wait longer for a header of their kind than they gain by it; the libraries for C and
     # Python hide their names, and a precompiled header has to agree in that.
-    if(SLIPFACE_PCH AND NOT target MATCHES "^slipface(_c|_python|_movement)?$|slipface_pch_")
+    if(SLIPFACE_PCH AND NOT target MATCHES "^slipface(_c|_mover.*|_python|_movement)?$|slipface_pch_")
         slipface_precompile(${target})
     endif()
 endfunction()

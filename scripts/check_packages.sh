@@ -44,15 +44,16 @@ apt="DEBIAN_FRONTEND=noninteractive apt-get -q -y"
 
     say "Building docs/engine.md's game"
     watch_bare "Installing libslipface-dev" root /debs \
-        "$apt install ./libslipface-dev_*.deb ./libslipface1_*.deb g++ cmake make pkg-config"
+        "$apt install ./libslipface-dev_*.deb ./libslipface1_*.deb ./libslipface-mover1_*.deb g++ cmake make pkg-config"
     watch_bare "The game" stranger /game 'level=/usr/share/slipface/levels/easy.obj &&
         cmake -S . -B build -DCMAKE_BUILD_TYPE=Release && cmake --build build && build/game $level cmake.png &&
-        c++ -std=c++20 -O1 game.cpp $(pkg-config --cflags --libs slipface) -o game && ./game $level pkgconfig.png &&
+        c++ -std=c++20 -O1 game.cpp $(pkg-config --cflags --libs slipface-cpp) -o game && ./game $level pkgconfig.png &&
         cmp cmake.png pkgconfig.png && test $(stat -c %s cmake.png) -gt 30000 &&
         slipface export $level --flat level.flat && build/flat level.flat &&
         (cd /usr/include && find slipface -name "*.h" ! -path "*/glad/*" | sed "s/.*/#include <&>/") >all.cpp &&
-        c++ -std=c++20 -fsyntax-only all.cpp $(pkg-config --cflags slipface) &&
-        cc -std=c99 -pedantic -Wall -Werror walk.c -lslipface -lm -o walk && ./walk'
+        c++ -std=c++20 -fsyntax-only all.cpp $(pkg-config --cflags slipface-cpp) &&
+        cc -std=c99 -pedantic -Wall -Werror walk.c $(pkg-config --cflags --libs slipface) -lm -o walk && ./walk &&
+        cc -std=c99 walk.c -static $(pkg-config --cflags --static --libs slipface-mover) -o walk && ./walk'
     watch_bare "Installing python3-slipface" root /debs "$apt install ./python3-slipface_*.deb"
     watch_bare "The Python module" stranger /game 'python3 test_slipface.py /usr/bin/slipface /usr/share/slipface/levels'
 )

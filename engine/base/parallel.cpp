@@ -1,63 +1,55 @@
 #include "slipface/base/parallel.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
-#include <thread>
+#include <exception>
+#include <mutex>
+
+#include "own_threads.h"
 
 namespace slipface {
 
 namespace {
 
-#if defined(__SANITIZE_THREAD__)
+JobSystem host;
 
-// ThreadSanitizer cannot see how the TBB library passes work between threads, so it is given plain threads:
-// half of the range beside the caller, halved again.
-void split_range(std::size_t begin, std::size_t end, std::size_t grain, int halvings,
-                 const std::function<void(std::size_t, std::size_t)>& body) {
-    if (end - begin <= grain || halvings == 0) return body(begin, end);
-    const std::size_t middle = begin + (end - begin) / 2;
-    std::thread other([&] { split_range(begin, middle, grain, halvings - 1, body); });
-    split_range(middle, end, grain, halvings - 1, body);
-    other.join();
-}
+struct Portions {
+    const std::function<void(std::size_t, std::size_t)>& body;
+    std::size_t count, portions;
+    std::once_flag first{};
+    std::exception_ptr thrown{};
 
-#else
-
-void split_range(std::size_t begin, std::size_t end, std::size_t grain, int,
-                 const std::function<void(std::size_t, std::size_t)>& body) {
-    oneapi::tbb::parallel_for(
-        oneapi::tbb::blocked_range<std::size_t>(begin, end, grain),
-        [&](const oneapi::tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
-}
-
-#endif
+    // Nothing is thrown through the program's job system.
+    static void run(void* data, std::size_t i) noexcept {
+        Portions& all = *static_cast<Portions*>(data);
+        try {
+            all.body(all.count * i / all.portions, all.count * (i + 1) / all.portions);
+        } catch (...) {
+            std::call_once(all.first, [&] { all.thrown = std::current_exception(); });
+        }
+    }
+};
 
 }  // namespace
+
+void set_job_system(const JobSystem& jobs) {
+    host = jobs;
+}
 
 void parallel_for(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body) {
     grain = std::max<std::size_t>(grain, 1);
     if (count == 0) return;
     if (count <= grain) return body(0, count);
-    split_range(0, count, grain, 2, body);
+    if (host.run == nullptr) return run_on_own_threads(count, grain, body);
+    // Some more than threads, so that one that is late holds up little.
+    const auto most = static_cast<std::size_t>(4 * std::max(1, host.threads));
+    Portions all{body, count, std::min(most, (count + grain - 1) / grain)};
+    host.run(host.user, all.portions, Portions::run, &all);
+    if (all.thrown) std::rethrow_exception(all.thrown);
 }
 
 int parallel_threads() {
-    using oneapi::tbb::global_control;
-    return static_cast<int>(global_control::active_value(global_control::max_allowed_parallelism));
+    return host.run == nullptr ? own_threads() : std::max(1, host.threads);
 }
-
-struct ThreadLimit::Impl {
-    oneapi::tbb::global_control control;
-};
-
-ThreadLimit::ThreadLimit(int threads)
-    : impl_(new Impl{oneapi::tbb::global_control(oneapi::tbb::global_control::max_allowed_parallelism,
-                                                 static_cast<std::size_t>(std::max(threads, 1)))}) {}
-
-ThreadLimit::~ThreadLimit() = default;
 
 }  // namespace slipface

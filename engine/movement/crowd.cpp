@@ -73,8 +73,15 @@ double way_out(const Body& a, const Body& b, const Vec3& direction) {
     return inside > 0.0 ? std::max(0.0, (std::sqrt(inside) - half) / square) : 0.0;
 }
 
+MovementScene seen_by(const MovementScene& scene, const CrowdMember& member) {
+    MovementScene seen = scene;
+    if (member.filter != nullptr) seen.filter = member.filter;
+    return seen;
+}
+
 // Moves the end by `move`, as far as the scene lets it, and returns how far along `move` that is, m.
-double shift(const MovementScene& scene, Body& body, const Vec3& move) {
+double shift(const MovementScene& whole, Body& body, const Vec3& move) {
+    const MovementScene scene = seen_by(whole, *body.member);
     const double length = move.norm();
     if (length == 0.0 || body.held()) return 0.0;
     PlayerState here = body.member->state;
@@ -149,7 +156,8 @@ std::vector<std::pair<std::size_t, std::size_t>> near_pairs(const std::vector<Bo
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (std::size_t k = i + 1; k < boxes.size() && boxes[k].room.min.x() <= boxes[i].room.max.x(); ++k) {
             const Aabb &a = boxes[i].room, &b = boxes[k].room;
-            if ((a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all())
+            if ((a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all() &&
+                meet(bodies[boxes[i].body].member->filter, bodies[boxes[k].body].member->filter))
                 pairs.push_back(std::minmax(boxes[i].body, boxes[k].body));
         }
     }
@@ -239,7 +247,9 @@ void step_crowd(const MovementScene& scene, std::span<CrowdMember> members, doub
     parallel_for(bodies.size(), 16, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             CrowdMember& member = *bodies[i].member;
-            member.state = step(scene, *member.settings, member.state, member.input, dt).state;
+            member.state = step(seen_by(scene, member), *member.settings, member.state, member.input, dt,
+                                nullptr, member.contacts)
+                               .state;
             bodies[i].end = position_in_scene(scene, member.state);
         }
     });

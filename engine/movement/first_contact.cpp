@@ -4,9 +4,11 @@ namespace slipface {
 
 std::optional<Contact> first_contact(const MovementScene& scene, const Vec3& radii, const Vec3& from,
                                      const Vec3& move) {
-    std::optional<Contact> first = sweep_ellipsoid(scene.collision, radii, from, move);
-    for (const MovingPart& part : scene.platforms) {
-        const std::optional<Contact> contact = sweep_ellipsoid(part.at_end(), radii, from, move);
+    std::optional<Contact> first =
+        sweep_ellipsoid(scene.collision, radii, from, move, filter_of(scene, no_id));
+    for (std::uint32_t i = 0; i < scene.platforms.size(); ++i) {
+        const std::optional<Contact> contact =
+            sweep_ellipsoid(scene.platforms[i].at_end(), radii, from, move, filter_of(scene, i));
         if (contact && (!first || contact->t < first->t)) first = contact;
     }
     return first;

@@ -53,12 +53,18 @@ Carrier carrier_of(const Mover& mover, const Support& on) {
     return moves ? Carrier::surface : Carrier::level;
 }
 
+Vec3 frame_velocity(const Mover& mover) {
+    const PlayerState& state = mover.state;
+    return is_held(state) && state.carrier != Carrier::character
+               ? ground_velocity(mover, mover.position, support_of(mover), state.ground_platform)
+               : mover.frame;
+}
+
 void change_frame(Mover& mover) {
     const PlayerState& state = mover.state;
-    const bool held = is_held(state), holds_on = is_held(mover);
-    const bool carried = held && state.carrier != Carrier::character;
-    Vec3 from = carried ? ground_velocity(mover, mover.position, support_of(mover), state.ground_platform)
-                        : mover.frame;
+    const bool holds_on = is_held(mover);
+    const bool carried = is_held(state) && state.carrier != Carrier::character;
+    Vec3 from = frame_velocity(mover);
     Vec3 to = Vec3::Zero();
     mover.air_frame += mover.frame;
     if (holds_on || mover.bounced) {

@@ -40,6 +40,7 @@ void follow(Mover& mover, const Vec3& from, double rising, double sideways) {
     const SurfaceType& surface = surface_of(mover, contact.surface);
     const Support found{contact.normal, contact.face, contact.surface, swept.platform};
     mover.hazard = mover.hazard || surface.hazardous;
+    note_contact(mover, Pass::slide, contact, swept.platform);
     if (is_walkable(mover, contact.normal, surface)) {
         mover.grounded = true;
         mover.support = found;

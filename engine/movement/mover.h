@@ -8,6 +8,7 @@
 #include "slipface/collision/neighbourhood.h"
 #include "slipface/collision/posed.h"
 #include "slipface/movement/step.h"
+#include "slipface/movement/step_contacts.h"
 
 namespace slipface {
 
@@ -39,6 +40,7 @@ struct Given {
     double step_s = 0.0;
     ButtonSet buttons{};
     bool dash_pressed = false;
+    StepContacts* report = nullptr;  // what touches, where a game asks for it
 };
 
 // Carried: what the phases change one after the other, and what becomes the new state. Hacks that try a move
@@ -63,6 +65,7 @@ struct Motion {
         Vec3::Zero();  // of the ground that was left, in the frame of the step; then of the new state
     // Of the point stood on, or of the ledge held, above the ellipsoid's lowest point, m.
     double support_rise = 0.0;
+    std::size_t noted = 0;  // contacts in `report`: a move that is taken back takes its own back
 };
 
 // Platforms that a step can touch.
@@ -85,13 +88,18 @@ inline constexpr int slide_capacity = 8;
 
 // What can be touched around a position. It refers to the scene.
 struct Surroundings {
-    Neighbourhood near;  // of what stands still
+    std::optional<QueryFilter> filter;  // the scene's
+    Neighbourhood near;                 // of what stands still
     NearPlatforms platforms;
 
     // For a player who moves by at most `length` from `at`, m.
     Surroundings(const MovementScene& scene, const MovementSettings& settings, const Vec3& at, double length)
-        : near(scene.collision, settings.radii, at, reach_of_step(settings, length)),
+        : filter(scene.filter == nullptr ? std::nullopt : std::optional(filter_of(scene, no_id))),
+          near(scene.collision, settings.radii, at, reach_of_step(settings, length),
+               filter ? &*filter : nullptr),
           platforms(platforms_near(scene, settings.radii, at, reach_of_step(settings, length))) {}
+    Surroundings(const Surroundings&) = delete;
+    Surroundings& operator=(const Surroundings&) = delete;
     // True if they are enough for a player who moves by `length` from `at`, too.
     bool cover(const MovementSettings& settings, const Vec3& at, double length) const {
         const Vec3 reach = reach_of_step(settings, length);
@@ -162,6 +170,7 @@ struct Mover : Given, Motion, Scratch, LatestPass {
         jumping = given.state.jumping;
         trapped = given.state.trapped;
         support_rise = given.state.grounded || given.state.hanging ? given.state.ground_rise : 0.0;
+        if (report != nullptr) noted = report->count;
     }
     Motion& motion() { return *this; }
 };
@@ -254,8 +263,28 @@ struct SceneRay : RayHit {
     std::uint32_t platform = no_id;
 };
 std::optional<SceneRay> ray_in_scene(const Mover& mover, const Vec3& from, const Vec3& move);
+// A world of the scene as its filter lets the player see it.
+struct SeenWorld : PosedWorld {
+    QueryFilter filter;
+};
+inline std::optional<Contact> sweep_ellipsoid(const SeenWorld& world, const Vec3& radii, const Vec3& from,
+                                              const Vec3& move) {
+    return sweep_ellipsoid(world, radii, from, move, world.filter);
+}
+inline std::optional<RayHit> cast_ray(const SeenWorld& world, const Vec3& origin, const Vec3& direction,
+                                      double max_t, RayStops stops = RayStops::solid) {
+    return cast_ray(world, origin, direction, max_t, stops, world.filter);
+}
+inline std::size_t find_overlaps(const SeenWorld& world, const Vec3& radii, const Vec3& centre,
+                                 std::span<Overlap> out) {
+    return find_overlaps(world, radii, centre, out, world.filter);
+}
+inline bool overlaps_any(const SeenWorld& world, const Vec3& radii, const Vec3& centre) {
+    return overlaps_any(world, radii, centre, world.filter);
+}
+SeenWorld seen_at(const Given& given, std::uint32_t platform, const Pose& pose);
 // The world that a triangle belongs to, where the part of the step ends.
-PosedWorld world_of(const Given& given, std::uint32_t platform);
+SeenWorld world_of(const Given& given, std::uint32_t platform);
 inline Pose pose_before(const Given& given, const MovingPart& part) {
     return pose_at(part, given.since, given.step_s);
 }
@@ -313,6 +342,10 @@ struct TouchDown {
     bool stands = false;            // it walks on; else it is thrown back or glides
 };
 std::optional<TouchDown> touch_down(Mover& mover, const Vec3& move, const Vec3& last);
+// Contacts for the caller of step(): the contact is noted, with the speed of the body before it responds.
+void begin_contacts(StepContacts* contacts);
+void note_contact(Mover& mover, Pass pass, const Contact& contact, std::uint32_t platform);
+void keep_contacts(const Mover& mover);
 // Notes what a contact means for the state: ground, ladder, hazard.
 void touch(Mover& mover, const Hit& hit);
 // Deflects displacement and velocity at a contact: by the first response that applies.
@@ -394,6 +427,8 @@ void change_frame(Mover& mover);
 Vec3 velocity_of(const MovingPart& part, const Vec3& point);  // m/s, of the platform at that point
 // m/s, of ground of that type and platform at the point `at`.
 Vec3 ground_velocity(const Given& given, const Vec3& at, const SurfaceType& surface, std::uint32_t platform);
+// m/s, of the frame that the step moves the player in, in the level at the player's position.
+Vec3 frame_velocity(const Mover& mover);
 // What a player that leaves ground of that velocity keeps of it, m/s.
 Vec3 kept_on_leave(LeaveMode mode, const Vec3& ground);
 Carrier carrier_of(const Mover& mover, const Support& on);

@@ -14,6 +14,7 @@ constexpr std::array<Response, 7> responses{stick,       grab_ladder,         ho
 }  // namespace
 
 void touch(Mover& mover, const Hit& hit) {
+    note_contact(mover, hit.pass, hit.contact, hit.platform);
     if (hit.surface.hazardous && !mover.hazard) decide(mover, Decision::hazard_touched, hit.contact.face);
     mover.hazard = mover.hazard || hit.surface.hazardous;
     if (!mover.settings.surface_types && hit.contact.surface != default_surface) {

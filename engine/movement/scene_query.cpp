@@ -17,8 +17,7 @@ void each_world(const Mover& mover, const Vec3& from, const Vec3& move, Visit&& 
     visit(mover.around.near, no_id, mover.scene.triangles);
     each_platform(mover, from, move, [&](std::uint32_t i) {
         const MovingPart& part = mover.scene.platforms[i];
-        if (i != mover.ignored_platform)
-            visit(PosedWorld(*part.rest, pose_after(mover, part)), i, part.triangles);
+        if (i != mover.ignored_platform) visit(seen_at(mover, i, pose_after(mover, part)), i, part.triangles);
     });
 }
 
@@ -109,10 +108,27 @@ NearPlatforms platforms_near(const MovementScene& scene, const Vec3& radii, cons
     return near;
 }
 
-PosedWorld world_of(const Given& given, std::uint32_t platform) {
-    if (platform >= given.scene.platforms.size()) return PosedWorld(given.scene.collision);
-    const MovingPart& part = given.scene.platforms[platform];
-    return PosedWorld(*part.rest, pose_after(given, part));
+QueryFilter filter_of(const MovementScene& scene, std::uint32_t platform) {
+    QueryFilter seen;
+    if (scene.filter == nullptr) return seen;
+    seen.ignored = scene.filter->ignored;
+    seen.mask = scene.filter->mask;
+    seen.groups = platform < scene.platforms.size() ? scene.platforms[platform].groups : scene.groups;
+    seen.ask = scene.filter->ask;
+    seen.user = scene.filter->user;
+    seen.part = platform;
+    return seen;
+}
+
+SeenWorld seen_at(const Given& given, std::uint32_t platform, const Pose& pose) {
+    const bool moves = platform < given.scene.platforms.size();
+    return {PosedWorld(moves ? *given.scene.platforms[platform].rest : given.scene.collision, pose),
+            filter_of(given.scene, platform)};
+}
+
+SeenWorld world_of(const Given& given, std::uint32_t platform) {
+    const bool moves = platform < given.scene.platforms.size();
+    return seen_at(given, platform, moves ? pose_after(given, given.scene.platforms[platform]) : Pose{});
 }
 
 std::optional<SceneContact> sweep_scene(Mover& mover, const Vec3& from, const Vec3& move) {

@@ -1,13 +1,12 @@
 #include "slipface/movement/settings.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "slipface/base/near_name.h"
+#include "slipface/base/say.h"
 #include "slipface/base/text.h"
 
 namespace slipface {
@@ -38,25 +37,24 @@ std::string allowed(const SettingInfo& info) {
     }
     const bool whole = std::holds_alternative<int MovementSettings::*>(info.member);
     const bool gap = info.smallest > 0.0;
-    std::string text =
-        fmt::format("{}{} from {} to {}", gap ? "0 or " : "", whole ? "a whole number" : "a number",
-                    to_text(gap ? info.smallest : info.minimum), to_text(info.maximum));
+    std::string text = say("{}{} from {} to {}", gap ? "0 or " : "", whole ? "a whole number" : "a number",
+                           to_text(gap ? info.smallest : info.minimum), to_text(info.maximum));
     if (is_angle(info)) {
-        text += fmt::format(" radians ({}deg to {}deg)", std::round(info.minimum / degree),
-                            std::round(info.maximum / degree));
+        text += say(" radians ({}deg to {}deg)", std::round(info.minimum / degree),
+                    std::round(info.maximum / degree));
     } else if (*info.unit != '\0') {
-        text += fmt::format(" {}", info.unit);
+        text += say(" {}", info.unit);
     }
     return text;
 }
 
 std::string excerpt(std::string_view text) {
     constexpr std::size_t longest = 60;
-    return text.size() <= longest ? std::string(text) : fmt::format("{}...", text.substr(0, longest));
+    return text.size() <= longest ? std::string(text) : say("{}...", text.substr(0, longest));
 }
 
 std::string unknown_name(std::string_view name) {
-    std::string text = fmt::format("no such setting: '{}'", excerpt(name));
+    std::string text = say("no such setting: '{}'", excerpt(name));
     constexpr std::size_t longest_name = 64;
     if (name.size() > longest_name) return text;
     const std::string lower = to_lower(name);
@@ -71,7 +69,7 @@ std::string unknown_name(std::string_view name) {
     }
     constexpr std::size_t likely = 4;  // letters changed
     if (nearest != nullptr && nearest_distance <= std::min(likely, name.size() / 2))
-        text += fmt::format("; did you mean '{}'?", nearest->name);
+        text += say("; did you mean '{}'?", nearest->name);
     return text;
 }
 
@@ -114,7 +112,7 @@ std::string meaning_of(const SettingInfo& info) {
         std::string name = choice.name;
         std::replace(name.begin(), name.end(), '_', ' ');
         name[0] = static_cast<char>(name[0] - 'a' + 'A');
-        text += fmt::format(" {}: {}.", name, choice.meaning);
+        text += say(" {}: {}.", name, choice.meaning);
     }
     return text;
 }
@@ -177,7 +175,7 @@ Status set_setting(MovementSettings& settings, const SettingInfo& info, double v
     const bool in_gap = info.smallest > 0.0 && value != 0.0 && value < info.smallest;
     const bool fits = std::isfinite(value) && value >= info.minimum && value <= info.maximum && !in_gap &&
                       (number || value == std::floor(value));
-    if (!fits) return Error{info.name, fmt::format("found {}, expected {}", to_text(value), allowed(info))};
+    if (!fits) return Error{info.name, say("found {}, expected {}", to_text(value), allowed(info))};
     std::visit(Overloaded{
                    [&](bool MovementSettings::*member) { settings.*member = value != 0.0; },
                    [&](int MovementSettings::*member) { settings.*member = static_cast<int>(value); },
@@ -192,18 +190,17 @@ Status set_setting(MovementSettings& settings, const SettingInfo& info, double v
 Status set_setting(MovementSettings& settings, std::string_view assignment) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string_view::npos) {
-        return Error{"", fmt::format("'{}' is not name=value", excerpt(assignment))};
+        return Error{"", say("'{}' is not name=value", excerpt(assignment))};
     }
     const std::string_view name = trim(assignment.substr(0, equals));
     const std::string_view text = trim(assignment.substr(equals + 1));
     const SettingInfo* info = find_setting(name);
     if (info == nullptr) return Error{"", unknown_name(name)};
     const std::optional<double> value = parse_value(*info, text);
-    if (!value)
-        return Error{info->name, fmt::format("found '{}', expected {}", excerpt(text), allowed(*info))};
+    if (!value) return Error{info->name, say("found '{}', expected {}", excerpt(text), allowed(*info))};
     // Reports the value as the user wrote it, in degrees for example.
     if (!set_setting(settings, *info, *value))
-        return Error{info->name, fmt::format("found {}, expected {}", excerpt(text), allowed(*info))};
+        return Error{info->name, say("found {}, expected {}", excerpt(text), allowed(*info))};
     return {};
 }
 

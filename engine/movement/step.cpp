@@ -49,7 +49,8 @@ void trace_sector(const MovementScene& scene, const PlayerState& before, const P
 
 // With the body that the settings have.
 StepResult step_with_body(const MovementScene& scene, const MovementSettings& settings,
-                          const PlayerState& state, const PlayerInput& input, double dt, TraceSink* trace) {
+                          const PlayerState& state, const PlayerInput& input, double dt, TraceSink* trace,
+                          StepContacts* contacts) {
     const Vec2 wish = at_most_one(input.wish);
     dt = std::min(dt, longest_hitch_s);
     const double walkable_cosine = slope_cosine(settings.max_slope);
@@ -94,7 +95,8 @@ StepResult step_with_body(const MovementScene& scene, const MovementSettings& se
                      .until = part + 1 == parts ? 1.0 : (part + 1) / static_cast<double>(parts),
                      .step_s = dt,
                      .buttons = input.buttons,
-                     .dash_pressed = input.buttons.has(Button::dash) && !before.dash_held},
+                     .dash_pressed = input.buttons.has(Button::dash) && !before.dash_held,
+                     .report = contacts},
                     around);
         mover.began_free = free;
         move_with_platforms(mover, before);
@@ -106,6 +108,7 @@ StepResult step_with_body(const MovementScene& scene, const MovementSettings& se
         const bool room = clamp_to_terrain(mover, safe);
         result.state = accept(mover, safe, room);
 
+        keep_contacts(mover);
         result.sweeps += mover.sweeps;
         result.contacts += mover.contacts;
         result.end_is_free = mover.end_is_free;
@@ -124,15 +127,16 @@ StepResult step_with_body(const MovementScene& scene, const MovementSettings& se
 }  // namespace
 
 StepResult step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
-                const PlayerInput& input, double dt, TraceSink* trace) {
+                const PlayerInput& input, double dt, TraceSink* trace, StepContacts* contacts) {
+    begin_contacts(contacts);
     if (!usable(settings) || !usable(state, input, dt)) return {.state = state};
     if (!settings.crouch && !state.crouched && trace == nullptr)
-        return step_with_body(scene, settings, state, input, dt, trace);
+        return step_with_body(scene, settings, state, input, dt, trace, contacts);
     PlayerState begin = state;
     choose_body(scene, settings, begin, input, trace);
-    if (!begin.crouched) return step_with_body(scene, settings, begin, input, dt, trace);
+    if (!begin.crouched) return step_with_body(scene, settings, begin, input, dt, trace, contacts);
     const MovementSettings low = settings_of_body(settings, begin);
-    StepResult result = step_with_body(scene, low, begin, input, dt, trace);
+    StepResult result = step_with_body(scene, low, begin, input, dt, trace, contacts);
     result.state.crouched = true;
     result.state.wants_to_stand = begin.wants_to_stand;
     return result;

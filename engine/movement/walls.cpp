@@ -20,7 +20,7 @@ std::optional<Wall> wall_beside(const Mover& mover, double reach) {
     for (std::size_t i = 0; i < count; ++i) {
         const SceneOverlap& one = found[i];
         if (std::abs(one.normal.y()) > upright) continue;
-        const PosedWorld world = world_of(mover, one.platform);
+        const SeenWorld world = world_of(mover, one.platform);
         // From behind a one-sided face is air.
         if (world.surface_rule(one.surface).one_sided &&
             world.triangle_normal(one.triangle).dot(one.normal) < 0.0)

@@ -19,6 +19,25 @@ std::string shape_of(const py::array& array) {
     return text + ")";
 }
 
+Vec3 finite(const Vec3& v, const char* name) {
+    if (!v.allFinite()) throw py::value_error(std::string(name) + ": expected finite numbers");
+    return v;
+}
+Vec3 positive(const Vec3& v, const char* name) {
+    if (!(finite(v, name).minCoeff() > 0.0))
+        throw py::value_error(std::string(name) + ": expected numbers above 0");
+    return v;
+}
+Vec3 turned(const Vec3& v, const char* name) {
+    if (finite(v, name).isZero(0.0))
+        throw py::value_error(std::string(name) + ": found 0, expected a direction");
+    return v;
+}
+double distance(double value, const char* name) {
+    if (!(value >= 0.0)) throw py::value_error(std::string(name) + ": expected 0 or more");
+    return value;
+}
+
 // Rows of three numbers: one for each query, or one row for all of them.
 class Rows {
   public:
@@ -32,6 +51,11 @@ class Rows {
     }
     std::size_t count() const { return count_; }
     bool repeats() const { return repeats_; }
+    // Before the work begins: each row as `check` has it.
+    void each(const char* name, Vec3 (*check)(const Vec3&, const char*)) const {
+        for (std::size_t i = 0; i < count_; ++i)
+            check((*this)[i], name);
+    }
     Vec3 operator[](std::size_t i) const {
         const double* const row = data_ + (repeats_ ? 0 : 3 * i);
         return {row[0], row[1], row[2]};
@@ -118,6 +142,9 @@ QueryFilter filter_of(World& world, const std::vector<std::string>& ignore, std:
 py::dict sweeps(World& world, const Array& radii, const Array& starts, const Array& moves) {
     const Rows r(radii, "radii"), from(starts, "starts"), move(moves, "moves");
     const std::size_t count = common_count(r, from, move);
+    r.each("radii", positive);
+    from.each("starts", finite);
+    move.each("moves", finite);
     auto t = column<double>(count);
     auto normal = column<double>(count, 3), point = column<double>(count, 3);
     auto triangle = column<std::int64_t>(count), face = column<std::int64_t>(count);
@@ -162,6 +189,9 @@ py::dict sweeps(World& world, const Array& radii, const Array& starts, const Arr
 py::dict rays(World& world, const Array& origins, const Array& directions, double max_t) {
     const Rows from(origins, "origins"), along(directions, "directions");
     const std::size_t count = common_count(from, along);
+    from.each("origins", finite);
+    along.each("directions", turned);
+    distance(max_t, "max_t");
     auto t = column<double>(count);
     auto normal = column<double>(count, 3);
     auto face = column<std::int64_t>(count);
@@ -422,7 +452,8 @@ void add_world(py::module_& module) {
             "sweep",
             [](World& world, const Triple& radii, const Triple& start, const Triple& move,
                const std::vector<std::string>& ignore, std::uint32_t groups) -> py::object {
-                const auto contact = sweep_ellipsoid(world.now().collision, vec(radii), vec(start), vec(move),
+                const auto contact = sweep_ellipsoid(world.now().collision, positive(vec(radii), "radii"),
+                                                     finite(vec(start), "start"), finite(vec(move), "move"),
                                                      filter_of(world, ignore, groups));
                 return contact ? py::object(contact_dict(world, *contact)) : py::object(py::none());
             },
@@ -433,8 +464,10 @@ void add_world(py::module_& module) {
             "hits",
             [](World& world, const Triple& radii, const Triple& start, const Triple& move) {
                 const CollisionWorld& in = world.now().collision;
-                std::vector<Contact> all(find_sweep_hits(in, vec(radii), vec(start), vec(move), {}));
-                find_sweep_hits(in, vec(radii), vec(start), vec(move), all);
+                const Vec3 body = positive(vec(radii), "radii"), from = finite(vec(start), "start"),
+                           along = finite(vec(move), "move");
+                std::vector<Contact> all(find_sweep_hits(in, body, from, along, {}));
+                find_sweep_hits(in, body, from, along, all);
                 py::list list;
                 for (const Contact& contact : all)
                     list.append(contact_dict(world, contact));
@@ -452,7 +485,8 @@ void add_world(py::module_& module) {
         .def(
             "closest",
             [](World& world, const Triple& point, double max_distance) -> py::object {
-                const auto found = closest_point(world.now().collision, vec(point), max_distance);
+                const auto found = closest_point(world.now().collision, finite(vec(point), "point"),
+                                                 distance(max_distance, "max_distance"));
                 if (!found) return py::none();
                 using namespace py::literals;
                 return py::dict("distance"_a = found->distance, "point"_a = tuple(found->point),
@@ -462,8 +496,9 @@ void add_world(py::module_& module) {
         .def(
             "overlaps",
             [](World& world, const Triple& radii, const Triple& centre) {
-                std::vector<Overlap> all(find_overlaps(world.now().collision, vec(radii), vec(centre), {}));
-                find_overlaps(world.now().collision, vec(radii), vec(centre), all);
+                const Vec3 body = positive(vec(radii), "radii"), at = finite(vec(centre), "centre");
+                std::vector<Overlap> all(find_overlaps(world.now().collision, body, at, {}));
+                find_overlaps(world.now().collision, body, at, all);
                 py::list faces;
                 for (const Overlap& one : all)
                     faces.append(one.face);

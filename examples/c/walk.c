@@ -1,5 +1,5 @@
 /* A game loop in C: a world of triangles with a lift, a player that walks, jumps and rides, and what stopped it.
- *     cc -std=c99 walk.c -lslipface -lm -o walk && ./walk
+ *     cc -std=c99 walk.c $(pkg-config --cflags --libs slipface-mover) -lm -o walk && ./walk
  */
 #include <math.h>
 #include <slipface.h>
@@ -12,23 +12,16 @@ static void check(slipface_status status, const slipface_error* error) {
     exit(1);
 }
 
-/* The first wall that a step met. */
-static void note_wall(void* user, const slipface_record* record) {
-    slipface_contact* wall = user;
-    if (record->kind == SLIPFACE_SWEEP && record->contact.t <= 1.0 && fabs(record->contact.normal.y) < 0.1)
-        *wall = record->contact;
-}
-
 int main(void) {
     /* A floor of 20 x 20 m, and a wall 5 m ahead of the player. */
     static const float positions[] = {-10, 0, -10, 10, 0, -10, 10, 0, 10, -10, 0, 10,
                                       -10, 0, -5,  10, 0, -5,  10, 3, -5, -10, 3, -5};
     static const uint32_t indices[] = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7};
-    const slipface_triangles level = {positions, 8, indices, 4, NULL, NULL};
+    const slipface_triangles level = {sizeof level, positions, 8, indices, 4, NULL, NULL};
     /* A lift: a square of 2 x 2 m. */
     static const float lift_positions[] = {-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1};
     static const uint32_t lift_indices[] = {0, 2, 1, 0, 3, 2};
-    const slipface_triangles lift_shape = {lift_positions, 4, lift_indices, 2, NULL, NULL};
+    const slipface_triangles lift_shape = {sizeof lift_shape, lift_positions, 4, lift_indices, 2, NULL, NULL};
 
     slipface_error error;
     slipface_world world;
@@ -37,7 +30,11 @@ int main(void) {
     slipface_player player;
     int tick;
     const double dt = 1.0 / 60.0;
-    slipface_contact wall;
+    /* What a step touched, and what happened in it. */
+    slipface_contact contacts[8], wall = {.t = 2.0};
+    slipface_event events[8];
+    slipface_report report = {.size = sizeof report, .contact_room = 8, .event_room = 8};
+    uint32_t i;
 
     if (slipface_interface() != SLIPFACE_INTERFACE) return 1;
     check(slipface_world_from_triangles(&level, &world, &error), &error);
@@ -48,16 +45,22 @@ int main(void) {
         const slipface_vec3 start = {0, 1.0, 4};
         check(slipface_player_at(world, start, &player, &error), &error);
     }
-    wall.t = 2.0;
+    report.contacts = contacts;
+    report.events = events;
     for (tick = 0; tick < 240; ++tick) {
         /* Two seconds up to the wall, with a jump on the way, then nothing. The lift goes up at x = 5. */
-        const slipface_input input = {.wish_z = tick < 120 ? -1.0 : 0.0, .jump = tick > 30 && tick < 40};
+        const slipface_input input = {sizeof input, tick > 30 && tick < 40 ? SLIPFACE_JUMP : 0, 0.0,
+                                      tick < 120 ? -1.0 : 0.0};
         const slipface_vec3 lift_at = {5.0, 0.01 * tick, 0.0};
         check(slipface_world_move_platform(world, lift, lift_at, NULL, dt, &error), &error);
-        check(slipface_step(world, settings, &player, &input, dt, note_wall, &wall, &player, &error), &error);
+        check(slipface_step(world, settings, &player, &input, dt, NULL, &report, &player, &error), &error);
+        for (i = 0; i < report.contact_count; ++i)
+            if (fabs(contacts[i].normal.y) < 0.1) wall = contacts[i];
+        for (i = 0; i < report.event_count && i < report.event_room; ++i)
+            if (events[i].kind == SLIPFACE_LANDED) printf("landed at %.1f m/s\n", events[i].value);
         if (tick % 60 == 59)
             printf("%.0f s: %.3f %.3f %.3f %s\n", (tick + 1) * dt, player.position.x, player.position.y,
-                   player.position.z, player.grounded ? "stands" : "flies");
+                   player.position.z, player.flags & SLIPFACE_GROUNDED ? "stands" : "flies");
     }
     if (wall.t <= 1.0) printf("met face %u at z = %.3f\n", (unsigned)wall.face, wall.point.z);
     {
@@ -72,7 +75,7 @@ int main(void) {
         }
     }
     for (; tick < 300; ++tick) {
-        const slipface_input rest = {0};
+        const slipface_input rest = {sizeof rest, 0, 0.0, 0.0};
         const slipface_vec3 lift_at = {5.0, 0.01 * tick, 0.0};
         check(slipface_world_move_platform(world, lift, lift_at, NULL, dt, &error), &error);
         check(slipface_step(world, settings, &player, &rest, dt, NULL, NULL, &player, &error), &error);

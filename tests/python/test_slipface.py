@@ -205,10 +205,18 @@ class BadInput(unittest.TestCase):
             (lambda: world.step(player, settings, wish=(nan, 0)), ValueError, "wish"),
             (lambda: world.player((0, nan, 0)), ValueError, "finite"),
             (lambda: world.step(None, settings), TypeError, ""),
+            (lambda: world.sweep((nan, 1, 1), (0, 2, 0), (0, -4, 0)), ValueError, "radii"),
+            (lambda: world.sweep((1, 0, 1), (0, 2, 0), (0, -4, 0)), ValueError, "radii.*above 0"),
+            (lambda: world.hits((1, 1, 1), (0, 2, 0), (0, nan, 0)), ValueError, "move"),
+            (lambda: world.sweeps([[1, 1, 1], [1, -1, 1]], [0, 2, 0], [0, -4, 0]), ValueError, "radii"),
+            (lambda: world.rays([0, 2, 0], [0, 0, 0]), ValueError, "direction"),
+            (lambda: world.rays([0, 2, 0], [0, 1, 0], max_t=nan), ValueError, "max_t"),
+            (lambda: world.closest((0, nan, 0)), ValueError, "point"),
+            (lambda: world.closest((0, 1, 0), -1), ValueError, "max_distance"),
+            (lambda: world.overlaps((0, 1, 1), (0, 0, 0)), ValueError, "radii"),
         ]:
             with self.assertRaisesRegex(kind, text):
                 wrong()
-        self.assertTrue(math.isnan(nan) and world.sweep((nan, 1, 1), (0, 2, 0), (0, -4, 0)) is None)
 
     def test_threads(self):
         rng = numpy.random.default_rng(3)

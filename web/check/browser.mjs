@@ -5,7 +5,7 @@ import { extname, join } from "node:path";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 
-const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml" };
+const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".mjs": "text/javascript" };
 export function serve(folder) {
   const server = createServer((request, response) => {
     const path = join(folder, new URL(request.url, "http://x").pathname.replace(/\/$/, "/index.html"));

@@ -22,7 +22,7 @@ struct Search {
     void consider(const LeafTriangle& leaf) {
         const Nearest other = kernels().nearest_part(leaf, query);
         if (!(other.distance2 < distance2 || (other.distance2 == distance2 && leaf.id < triangle.id))) return;
-        if (!world.rule_of(leaf.id).solid) return;
+        if (world.rule_of(leaf.id).solid != (filter == nullptr || filter->solid)) return;
         if (filter != nullptr && !filter->sees(leaf.id, world.surface_of(leaf.id))) return;
         nearest = other;
         distance2 = other.distance2;

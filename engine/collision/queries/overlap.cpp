@@ -35,19 +35,21 @@ void visit_near(const Sight& sight, const Vec3& radii, const Vec3& centre, Visit
 }
 
 // The rule of sweeps: a triangle that is not solid, or one-sided and seen from behind, is ignored.
-bool stands(const CollisionWorld::Impl& world, const EllipsoidQuery& query, const LeafTriangle& leaf) {
+bool stands(const CollisionWorld::Impl& world, const EllipsoidQuery& query, const LeafTriangle& leaf,
+            bool solid) {
     const SurfaceRule& rule = world.rule_of(leaf.id);
-    return rule.solid && !(rule.one_sided && kernels().is_behind(leaf, query));
+    return rule.solid == solid && !(rule.one_sided && kernels().is_behind(leaf, query));
 }
 
 // Collects the triangles that the ellipsoid overlaps, offered in any order.
 class Overlaps {
   public:
-    Overlaps(const CollisionWorld::Impl& world, std::span<Overlap> out) : world_(world), out_(out) {}
+    Overlaps(const CollisionWorld::Impl& world, std::span<Overlap> out, bool solid = true)
+        : world_(world), out_(out), solid_(solid) {}
 
     void consider(const EllipsoidQuery& query, const LeafTriangle& leaf) {
         const Nearest nearest = kernels().nearest_part(leaf, query);
-        if (!(nearest.distance2 < 1.0) || !stands(world_, query, leaf)) return;
+        if (!(nearest.distance2 < 1.0) || !stands(world_, query, leaf, solid_)) return;
         ++found_;
         // `out` is a heap with the highest triangle on top, so that the lowest ones stay, whatever the
         // visiting order.
@@ -69,12 +71,14 @@ class Overlaps {
   private:
     const CollisionWorld::Impl& world_;
     std::span<Overlap> out_;
+    bool solid_;
     std::size_t found_ = 0;
     std::size_t stored_ = 0;
 };
 
-bool overlaps(const CollisionWorld::Impl& world, const EllipsoidQuery& query, const LeafTriangle& leaf) {
-    return kernels().nearest_part(leaf, query).distance2 < 1.0 && stands(world, query, leaf);
+bool overlaps(const CollisionWorld::Impl& world, const EllipsoidQuery& query, const LeafTriangle& leaf,
+              bool solid = true) {
+    return kernels().nearest_part(leaf, query).distance2 < 1.0 && stands(world, query, leaf, solid);
 }
 
 }  // namespace
@@ -92,7 +96,7 @@ std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const 
 
 std::size_t find_overlaps(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out, const QueryFilter& filter) {
-    Overlaps found(world.impl(), out);
+    Overlaps found(world.impl(), out, filter.solid);
     visit_near(Sight(world.impl()), radii, centre,
                [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
                    if (filter.sees(leaf.id, world.impl().surface_of(leaf.id))) found.consider(query, leaf);
@@ -114,19 +118,19 @@ bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& ce
 bool overlaps_any(const CollisionWorld& world, const Vec3& radii, const Vec3& centre,
                   const QueryFilter& filter) {
     bool found = false;
-    visit_near(
-        Sight(world.impl()), radii, centre, [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
-            found =
-                filter.sees(leaf.id, world.impl().surface_of(leaf.id)) && overlaps(world.impl(), query, leaf);
-            return !found;
-        });
+    visit_near(Sight(world.impl()), radii, centre,
+               [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+                   found = filter.sees(leaf.id, world.impl().surface_of(leaf.id)) &&
+                           overlaps(world.impl(), query, leaf, filter.solid);
+                   return !found;
+               });
     return found;
 }
 
 std::size_t find_overlaps(const PosedWorld& world, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out, const QueryFilter& filter) {
     const PosedSight sight(world);
-    Overlaps found(sight.world, out);
+    Overlaps found(sight.world, out, filter.solid);
     visit_near(sight, radii, centre - world.origin(),
                [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
                    if (filter.sees(leaf.id, sight.world.surface_of(leaf.id))) found.consider(query, leaf);
@@ -141,19 +145,21 @@ std::size_t find_overlaps(const PosedWorld& world, const Vec3& radii, const Vec3
 bool overlaps_any(const PosedWorld& world, const Vec3& radii, const Vec3& centre, const QueryFilter& filter) {
     const PosedSight sight(world);
     bool found = false;
-    visit_near(
-        sight, radii, centre - world.origin(), [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
-            found =
-                filter.sees(leaf.id, sight.world.surface_of(leaf.id)) && overlaps(sight.world, query, leaf);
-            return !found;
-        });
+    visit_near(sight, radii, centre - world.origin(),
+               [&](const EllipsoidQuery& query, const LeafTriangle& leaf) {
+                   found = filter.sees(leaf.id, sight.world.surface_of(leaf.id)) &&
+                           overlaps(sight.world, query, leaf, filter.solid);
+                   return !found;
+               });
     return found;
 }
 
 std::size_t find_overlaps(const Neighbourhood& near, const Vec3& radii, const Vec3& centre,
                           std::span<Overlap> out) {
     NearCandidates candidates(near, radii, centre);
-    if (candidates.lead_out()) return find_overlaps(near.world(), radii, centre, out);
+    if (candidates.lead_out())
+        return near.filter() == nullptr ? find_overlaps(near.world(), radii, centre, out)
+                                        : find_overlaps(near.world(), radii, centre, out, *near.filter());
     Overlaps found(near.world().impl(), out);
     for (; const NearCandidate* next = candidates.take();)
         found.consider(candidates.query(), near_triangle(near.triangles(), next->index));
@@ -163,7 +169,9 @@ std::size_t find_overlaps(const Neighbourhood& near, const Vec3& radii, const Ve
 bool overlaps_any(const Neighbourhood& near, const Vec3& radii, const Vec3& centre) {
     if (near.triangles().clear > 0.0F && is_built_for(near.triangles(), radii, centre)) return false;
     NearCandidates candidates(near, radii, centre);
-    if (candidates.lead_out()) return overlaps_any(near.world(), radii, centre);
+    if (candidates.lead_out())
+        return near.filter() == nullptr ? overlaps_any(near.world(), radii, centre)
+                                        : overlaps_any(near.world(), radii, centre, *near.filter());
     for (; const NearCandidate* next = candidates.take();) {
         if (overlaps(near.world().impl(), candidates.query(), near_triangle(near.triangles(), next->index)))
             return true;

@@ -21,10 +21,9 @@ PosedWorld::PosedWorld(const CollisionWorld& world, const Pose& pose)
       origin_(turned_ ? pose.apply(middle_of(world.impl())) : pose.offset) {}
 
 std::array<Vec3, 3> PosedWorld::triangle(TriangleId triangle) const {
-    std::array<Vec3, 3> corners = world_->triangle(triangle);
-    for (Vec3& corner : corners)
-        corner = pose_.apply(corner);
-    return corners;
+    // Not in place: clang 14 makes WebAssembly of that which reads what it has written.
+    const std::array<Vec3, 3> corners = world_->triangle(triangle);
+    return {pose_.apply(corners[0]), pose_.apply(corners[1]), pose_.apply(corners[2])};
 }
 
 Aabb PosedWorld::bounds() const {

@@ -59,8 +59,9 @@ struct Search {
     bool stopped_by(const LeafTriangle& leaf) const {
         if (filter != nullptr && !filter->sees(leaf.id, world.surface_of(leaf.id))) return false;
         const SurfaceRule rule = world.rule_of(leaf.id);
-        return rule.solid && !(stops == RayStops::as_movement && rule.one_sided &&
-                               dot(winding_normal(leaf), direction) > 0.0);
+        return rule.solid == (filter == nullptr || filter->solid) &&
+               !(stops == RayStops::as_movement && rule.one_sided &&
+                 dot(winding_normal(leaf), direction) > 0.0);
     }
     void consider(const LeafTriangle& leaf) {
         RayTouch other;
@@ -161,7 +162,7 @@ std::optional<RayHit> cast_ray(const Neighbourhood& near, const Vec3& origin, co
     const Sight sight(impl);
     Ray ray;
     if (!ray.prepare(sight, origin, direction, max_t)) return std::nullopt;
-    Search search = ray.search(impl, max_t, stops, nullptr);
+    Search search = ray.search(impl, max_t, stops, near.filter());
     const NearTriangles& triangles = near.triangles();
     if (covers(triangles, origin)) {
         std::uint32_t list[near_capacity];

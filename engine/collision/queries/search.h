@@ -16,6 +16,7 @@ inline bool well_formed(const Touch& touch) {
 struct Search {
     const CollisionWorld::Impl& world;
     const EllipsoidQuery& query;
+    bool solid = true;      // what counts is solid; else what is not
     bool in_floats = true;  // the query is in float range, where every touch is finite
     TriangleHit hit{1.0, Feature::vertex, 0, false};
     LeafTriangle triangle = no_triangle();
@@ -37,9 +38,10 @@ struct Search {
         triangle = leaf;
     }
     bool stopped_by(const LeafTriangle& leaf, const TriangleHit& other) const {
-        if (!world.plain) {
+        if (!world.plain || !solid) {
             const SurfaceRule& rule = world.rule_of(leaf.id);
-            if (!rule.solid || (rule.one_sided && kernels.passes_one_sided(leaf, query, other))) return false;
+            if (rule.solid != solid || (rule.one_sided && kernels.passes_one_sided(leaf, query, other)))
+                return false;
         }
         return in_floats || well_formed(kernels.touch_of_hit(leaf, query, other));
     }

@@ -85,6 +85,7 @@ std::optional<Contact> sweep_ellipsoid(const CollisionWorld& world, const Vec3& 
                                        const Vec3& move, const QueryFilter& filter) {
     EllipsoidQuery query;
     Search search(world.impl(), query);
+    search.solid = filter.solid;
     FilteredSearch filtered{search, filter};
     search_along(Sight(world.impl()), radii, from, move, query, search, filtered);
     return search.contact();
@@ -94,6 +95,7 @@ std::size_t find_sweep_hits(const CollisionWorld& world, const Vec3& radii, cons
                             const Vec3& move, std::span<Contact> out, const QueryFilter& filter) {
     EllipsoidQuery query;
     Search search(world.impl(), query);
+    search.solid = filter.solid;
     HitSearch all{{search, filter}, {out, comes_before}};
     search_along(Sight(world.impl()), radii, from, move, query, search, all);
     return all.hits.finish();
@@ -103,6 +105,7 @@ std::optional<Contact> sweep_ellipsoid(const PosedWorld& world, const Vec3& radi
                                        const Vec3& move, const QueryFilter& filter) {
     EllipsoidQuery query;
     Search search(world.world().impl(), query);
+    search.solid = filter.solid;
     FilteredSearch filtered{search, filter};
     search_along(PosedSight(world), radii, from - world.origin(), move, query, search, filtered);
     std::optional<Contact> contact = search.contact();
@@ -114,6 +117,7 @@ std::size_t find_sweep_hits(const PosedWorld& world, const Vec3& radii, const Ve
                             std::span<Contact> out, const QueryFilter& filter) {
     EllipsoidQuery query;
     Search search(world.world().impl(), query);
+    search.solid = filter.solid;
     HitSearch all{{search, filter}, {out, comes_before}};
     search_along(PosedSight(world), radii, from - world.origin(), move, query, search, all);
     const std::size_t found = all.hits.finish();
@@ -125,7 +129,9 @@ std::size_t find_sweep_hits(const PosedWorld& world, const Vec3& radii, const Ve
 std::optional<Contact> sweep_ellipsoid(const Neighbourhood& near, const Vec3& radii, const Vec3& from,
                                        const Vec3& move) {
     NearCandidates candidates(near, radii, from, move);
-    if (candidates.lead_out()) return sweep_ellipsoid(near.world(), radii, from, move);
+    if (candidates.lead_out())
+        return near.filter() == nullptr ? sweep_ellipsoid(near.world(), radii, from, move)
+                                        : sweep_ellipsoid(near.world(), radii, from, move, *near.filter());
     if (candidates.none() || is_zero(v3(move))) return std::nullopt;
     Search search(near.world().impl(), candidates.query());
     for (; const NearCandidate* next = candidates.take(time_limit(search.hit.t));)

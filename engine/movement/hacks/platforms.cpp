@@ -24,6 +24,10 @@ struct Way {
     bool turns() const { return begin.columns != end.columns; }
 };
 
+std::uint32_t index_of(const Given& given, const MovingPart& part) {
+    return static_cast<std::uint32_t>(&part - given.scene.platforms.data());
+}
+
 bool moves(const MovingPart& part) {
     return !(part.begin == part.end);
 }
@@ -89,7 +93,7 @@ struct Meeting {
 std::optional<Meeting> meets(Mover& mover, const MovingPart& part, const Vec3& flight) {
     const MovementSettings& s = mover.settings;
     const Way way(mover, part);
-    const PosedWorld world(*part.rest, way.end);
+    const SeenWorld world = seen_at(mover, index_of(mover, part), way.end);
     const Vec3 start = way.carried(mover.position), back = mover.position - start;
     const double steered = 0.5 * s.air_acceleration * mover.dt * mover.dt;
     const Vec3 reach = (flight.cwiseAbs() + back.cwiseAbs()).array() + steered + look_ahead * s.skin;
@@ -136,7 +140,7 @@ void fly_with(Mover& mover, PlayerState& state) {
 Vec3 pushed_by(Mover& mover, const MovingPart& part, const Vec3& before, const Vec3& position) {
     const double skin = mover.settings.skin;
     const Way way(mover, part);
-    const PosedWorld world(*part.rest, way.end);
+    const SeenWorld world = seen_at(mover, index_of(mover, part), way.end);
     Vec3 at = way.carried(before);
     Vec3 left = position - at;
     for (int i = 0; i < 3 && !left.isZero(0.0); ++i) {
@@ -147,6 +151,7 @@ Vec3 pushed_by(Mover& mover, const MovingPart& part, const Vec3& before, const V
             sweep_ellipsoid(world, mover.settings.radii, at, direction * reach);
         ++mover.sweeps;
         if (!hit) return at + left;
+        note_contact(mover, Pass::probe, *hit, index_of(mover, part));
         const double into = std::max(-hit->normal.dot(direction), 0.0);
         const double distance = hit->t * reach;
         const double stop = into > 0.0 ? distance - skin / into : 0.0;
@@ -176,7 +181,7 @@ void yield_to(Mover& mover, std::uint32_t index, const Vec3& before) {
 void press(Mover& mover, const MovingPart& part, const Vec3& before) {
     if (!moves(part)) return;
     const Way way(mover, part);
-    const PosedWorld world(*part.rest, way.end);
+    const SeenWorld world = seen_at(mover, index_of(mover, part), way.end);
     const Vec3 from = way.carried(before), passed = mover.position - from;
     if (const auto hit = cast_ray(world, from, passed, 1.0, RayStops::as_movement)) {
         mover.swallowed = true;

@@ -34,7 +34,7 @@ double filter_seam(const Mover& mover, const Vec3& centre, std::uint32_t platfor
         decide(mover, Decision::seam_off, contact.face);
         return 0.0;
     }
-    const PosedWorld world = world_of(mover, platform);
+    const SeenWorld world = world_of(mover, platform);
     std::array<Overlap, 16> around;
     const Vec3 ball = Vec3::Constant(meeting);
     const std::size_t count = std::min(find_overlaps(world, ball, contact.point, around), around.size());

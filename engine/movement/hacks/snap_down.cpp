@@ -25,6 +25,7 @@ void snap_down(Mover& mover, const Motion& before) {
         .own_response = Decision::snap_own_response, .too_steep = Decision::snap_too_steep, .on_ice = false};
     if (const auto refusal = land(mover, swept, rules)) return say(refusal->why, refusal->quantity);
     ++mover.contacts;
+    note_contact(mover, Pass::snap, *swept.contact, swept.platform);
     say(Decision::snapped, {.value = dropped, .limit = s.snap_distance});
 }
 

@@ -44,6 +44,7 @@ std::optional<Refusal> lift_move_drop(Mover& mover, const Motion& before, const 
     if (!no_higher_than_steps(mover, before, *landing.contact, height))
         return Refusal{Decision::step_up_too_high,
                        {.value = landing.contact->point.y() - feet, .limit = height}};
+    note_contact(mover, Pass::step, *landing.contact, landing.platform);
     return land(mover, landing,
                 {.own_response = Decision::step_up_own_response,
                  .too_steep = Decision::step_up_too_steep,
@@ -79,12 +80,14 @@ double goes_up(const std::array<Vec3, 3>& corners, const Vec3& point, double lea
 bool goes_on_above(const Mover& mover, const Met& met, double height, double negligible) {
     const double lean = negligible / height;
     if (met.walkable || !(std::abs(met.normal.y()) < lean)) return false;
-    const PosedWorld world = world_of(mover, met.platform);
+    const SeenWorld world = world_of(mover, met.platform);
     const auto type = [&](TriangleId triangle) { return world.face_surface(world.triangle_face(triangle)); };
     Vec3 top = met.point;
     // The triangles of a polygon have consecutive numbers.
     for (const TriangleId id : {met.triangle, met.triangle + 1, met.triangle - 1}) {
-        if (id >= world.triangle_count() || (id != met.triangle && type(id) != type(met.triangle))) continue;
+        if (id >= world.triangle_count() || !world.filter.sees(id, type(id)) ||
+            (id != met.triangle && type(id) != type(met.triangle)))
+            continue;
         top.y() += goes_up(world.triangle(id), top, lean, negligible);
         if (top.y() >= met.point.y() + height) return true;
     }

@@ -13,6 +13,16 @@ namespace slipface {
 void parallel_for(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body);
 
+// A program's own threads instead of this library's: `run` calls job(data, i) for every i below `count`, on
+// any of its threads, and returns when all have returned. Jobs wait for no other job and never throw.
+struct JobSystem {
+    void (*run)(void* user, std::size_t count, void (*job)(void* data, std::size_t i), void* data) = nullptr;
+    void* user = nullptr;
+    int threads = 1;  // for how many it is worth cutting work into jobs
+};
+// Before the first use of parallel_for, or while none runs. `run` null: the library's own threads again.
+void set_job_system(const JobSystem& jobs);
+
 // The number of threads that parallel_for may use now. For dividing work; no result may depend on it.
 int parallel_threads();
 

@@ -9,14 +9,21 @@
 namespace slipface {
 
 // The triangles that a query sees. The rules of their types hold as well: nothing meets a type that is not
-// solid.
+// solid, unless the query is for those alone.
 struct QueryFilter {
     std::bitset<256> ignored;                 // [SurfaceId] true: not seen
     std::span<const std::uint32_t> groups{};  // [triangle] one bit per group; empty: all are in every group
     std::uint32_t mask = ~std::uint32_t{0};   // a triangle is seen if one of its groups is in it
+    // Asked last, of the triangle `triangle` of the world that the asker calls `part`; null: all are seen. It
+    // may be called from several threads, and must answer the same every time while a query or step runs.
+    bool (*ask)(void* user, std::uint32_t part, TriangleId triangle) = nullptr;
+    void* user = nullptr;
+    std::uint32_t part = no_id;
+    bool solid = true;  // false: sees what is not solid instead
 
     bool sees(TriangleId triangle, SurfaceId surface) const {
-        return !ignored[surface] && (triangle >= groups.size() || (groups[triangle] & mask) != 0);
+        return !ignored[surface] && (triangle >= groups.size() || (groups[triangle] & mask) != 0) &&
+               (ask == nullptr || ask(user, part, triangle));
     }
 };
 

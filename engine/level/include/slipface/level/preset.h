@@ -12,19 +12,11 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "slipface/base/result.h"
-#include "slipface/movement/settings.h"
+#include "slipface/movement/preset.h"
 
 namespace slipface {
-
-struct Preset {
-    std::string name;   // as shown
-    std::string about;  // one sentence
-    MovementSettings settings;
-    friend bool operator==(const Preset&, const Preset&) = default;
-};
 
 // Errors name the file and the JSON path. Unknown settings are errors, because a misspelled one would
 // silently have its default value.
@@ -33,19 +25,6 @@ std::string preset_to_json(const Preset& preset);
 Result<Preset> load_preset(const std::filesystem::path& path);
 Status save_preset(const std::filesystem::path& path, const Preset& preset);
 
-// The presets that ship with Slipface: platformer, lecture, precise-platformer, momentum, simulation. They
-// are built into the program; assets/presets has the same ones as files.
-struct ShippedPreset {
-    const char* id;  // "precise-platformer"
-    Preset preset;
-};
-const std::vector<ShippedPreset>& shipped_presets();
-// Settings described as a shipped preset and the differences from it.
-struct PresetMatch {
-    const ShippedPreset* preset = nullptr;    // fewest differences, the first of equals; never null
-    std::vector<const SettingInfo*> changed;  // rows of settings_table() that differ from it
-};
-PresetMatch nearest_preset(const MovementSettings& settings);
 // The shipped preset with the id `name`, else the preset file at the path `name`.
 Result<Preset> find_preset(const std::string& name);
 

@@ -11,6 +11,8 @@ struct CrowdMember {
     const MovementSettings* settings = nullptr;  // never null; with its own radii
     PlayerState state;                           // before, and then after the step
     PlayerInput input;
+    const SceneFilter* filter = nullptr;  // instead of the scene's; other members meet it as meet() says
+    StepContacts* contacts = nullptr;     // of its step, without other members
 };
 
 // One step of `dt` seconds of all members: step() for each, and then those that met are kept apart.

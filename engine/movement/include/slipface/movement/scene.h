@@ -7,6 +7,7 @@
 #include "slipface/collision/posed.h"
 #include "slipface/movement/heightfield.h"
 #include "slipface/movement/platform_tree.h"
+#include "slipface/movement/scene_filter.h"
 #include "slipface/movement/surface_type.h"
 
 namespace slipface {
@@ -20,6 +21,7 @@ struct MovingPart {
     Vec3 angular_velocity = Vec3::Zero();        // rad/s, along the axis
     Vec3 pivot = Vec3::Zero();                   // of the turning, at `end`
     std::span<const TriangleId> triangles = {};  // [triangle of `rest`] its number in the mesh
+    std::span<const std::uint32_t> groups = {};  // [triangle of `rest`] bits; empty: all are in every group
 
     PosedWorld at_end() const { return PosedWorld(*rest, end); }
 };
@@ -46,6 +48,11 @@ struct MovementScene {
     Sectors sectors = {};
     // [triangle of `collision`] its number in the mesh; empty: the same number.
     std::span<const TriangleId> triangles = {};
+    std::span<const std::uint32_t> groups = {};  // [triangle of `collision`] as in MovingPart
+    const SceneFilter* filter = nullptr;         // what the character meets; null: everything
 };
+
+// The scene's filter for what does not move (no_id) or for a platform.
+QueryFilter filter_of(const MovementScene& scene, std::uint32_t platform);
 
 }  // namespace slipface

@@ -11,6 +11,8 @@
 
 namespace slipface {
 
+struct StepContacts;
+
 struct PlayerInput {
     // Wanted horizontal velocity (x, z) in world space, as a fraction of the walking speed; longer than 1
     // counts as 1.
@@ -121,11 +123,13 @@ struct StepResult {
 
 // The state after `dt` seconds, 1e-4 or more. A dt above 0.25 s, when the game itself was held up, is moved
 // in equal parts of at most that, under the same input; above 60 s it counts as 60 s. The same arguments give
-// the same bits. `trace` may be null and then costs nothing. No memory is allocated. Guarantee: a player that
+// the same bits. `trace` and `contacts` (step_contacts.h) may be null and then cost nothing. No memory is
+// allocated. Guarantee: a player that
 // began outside all two-sided triangles ends outside all of them, and the centre passes through none. Numbers
 // that are not finite, radii or a skin that are not positive, and a smaller dt return `state` unchanged.
 StepResult step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
-                const PlayerInput& input, double dt, TraceSink* trace = nullptr);
+                const PlayerInput& input, double dt, TraceSink* trace = nullptr,
+                StepContacts* contacts = nullptr);
 
 // Only collide and slide: moves the ellipsoid `settings.radii` from `from` by `move`, m, with the response
 // rules of `settings`, without gravity, input or state. The editor's sweep probe shows it.

@@ -31,6 +31,28 @@ slipface_contact contact_of(const Contact& contact, std::uint32_t platform,
     return made;
 }
 
+Seen::Seen(const World& in, const slipface_filter* filter) : in_(in) {
+    if (filter == nullptr) return;
+    asked_ = taken(*filter, "filter");
+    filter_.mask = asked_.mask;
+    filter_.groups = asked_.groups;
+    if (asked_.ignored_type_count > 0) need("ignored_types", asked_.ignored_types);
+    for (std::size_t i = 0; i < asked_.ignored_type_count; ++i)
+        filter_.ignored[asked_.ignored_types[i]] = true;
+    if (asked_.sees != nullptr) {
+        filter_.ask = [](void* user, std::uint32_t platform, TriangleId triangle) {
+            const Seen& seen = *static_cast<const Seen*>(user);
+            const MovementScene& scene = *seen.in_.now;
+            const auto numbers =
+                platform < scene.platforms.size() ? scene.platforms[platform].triangles : scene.triangles;
+            return seen.asked_.sees(seen.asked_.user, platform,
+                                    triangle < numbers.size() ? numbers[triangle] : triangle) != 0;
+        };
+        filter_.user = this;
+    }
+    filtered_.emplace(*in.now).filter = &filter_;
+}
+
 }  // namespace slipface::c
 
 namespace {
@@ -45,33 +67,36 @@ struct Body {
 
 class Bodies {
   public:
-    Bodies(const World& in, const slipface_filter* filter) : in_(in), has_filter_(filter != nullptr) {
-        if (filter == nullptr) return;
-        filter_.mask = filter->groups;
-        if (filter->ignored_type_count > 0) need("ignored_types", filter->ignored_types);
-        for (std::size_t i = 0; i < filter->ignored_type_count; ++i)
-            filter_.ignored[filter->ignored_types[i]] = true;
-    }
-    bool plain() const { return !has_filter_ && in_.now->platforms.empty(); }
+    Bodies(const World& in, const slipface_filter* filter) : seen_(in, filter) {}
+    bool plain() const { return seen_.filter() == nullptr && seen_.scene().platforms.empty(); }
 
     template <class Each>
     void each(const Each& body) const {
-        QueryFilter filter = filter_;
-        filter.groups = in_.groups;
-        body(Body{PosedWorld(in_.now->collision), SLIPFACE_NONE, in_.now->triangles, filter});
-        for (std::size_t i = 0; i < in_.now->platforms.size(); ++i) {
-            const MovingPart& part = in_.now->platforms[i];
-            filter.groups = i < in_.platforms.size() ? std::span<const std::uint32_t>(in_.platforms[i].groups)
-                                                     : std::span<const std::uint32_t>();
-            body(Body{part.at_end(), static_cast<std::uint32_t>(i), part.triangles, filter});
+        const MovementScene& scene = seen_.scene();
+        body(Body{PosedWorld(scene.collision), SLIPFACE_NONE, scene.triangles, filter_of(scene, no_id)});
+        for (std::uint32_t i = 0; i < scene.platforms.size(); ++i) {
+            const MovingPart& part = scene.platforms[i];
+            body(Body{part.at_end(), i, part.triangles, filter_of(scene, i)});
         }
     }
 
   private:
-    const World& in_;
-    bool has_filter_;
-    QueryFilter filter_;
+    Seen seen_;
 };
+
+slipface_sweep checked(const slipface_sweep& sweep) {
+    positive(sweep.radii, "radii");
+    finite(sweep.from, "from");
+    finite(sweep.move, "move");
+    return sweep;
+}
+
+void check_ray(const slipface_vec3& origin, const slipface_vec3& direction, double max_t) {
+    finite(origin, "origin");
+    if (finite(direction, "direction").isZero(0.0))
+        refuse(SLIPFACE_WRONG_ARGUMENT, "direction: found (0, 0, 0), expected a direction");
+    distance(max_t, "max_t");
+}
 
 // `own` first; of equal t the static world, then the first platform.
 slipface_contact first_contact(const Bodies& bodies, const slipface_sweep& sweep) {
@@ -87,7 +112,8 @@ slipface_contact first_contact(const Bodies& bodies, const slipface_sweep& sweep
 slipface_ray_hit hit_of(const RayHit& hit, const Body& body) {
     const std::uint32_t number =
         hit.triangle < body.numbers.size() ? body.numbers[hit.triangle] : hit.triangle;
-    return {hit.t, vec(hit.normal), vec(hit.point), number, hit.face, body.platform, hit.back_face ? 1u : 0u};
+    return {hit.t,    vec(hit.normal), vec(hit.point),          number,
+            hit.face, body.platform,   hit.back_face ? 1u : 0u, {}};
 }
 
 // The first `room` of all that the bodies find, merged by `t`. Each body is asked twice: for how many, and
@@ -118,6 +144,7 @@ slipface_status slipface_sweep_one(slipface_world world, const slipface_sweep* s
                                    slipface_error* error) {
     return run(error, [&] {
         need("sweep and contact", sweep, contact);
+        checked(*sweep);
         const SharedWorld in(world.id);
         *contact = first_contact(Bodies(*in, filter), *sweep);
     });
@@ -128,6 +155,8 @@ slipface_status slipface_sweep_many(slipface_world world, const slipface_sweep* 
                                     slipface_error* error) {
     return run(error, [&] {
         if (count > 0) need("sweeps and contacts", sweeps, contacts);
+        for (std::size_t i = 0; i < count; ++i)
+            checked(sweeps[i]);
         const SharedWorld in(world.id);
         const Bodies bodies(*in, filter);
         constexpr std::size_t portion = 4096;  // bounds the memory beside the caller's
@@ -160,6 +189,7 @@ slipface_status slipface_sweep_hits(slipface_world world, const slipface_sweep* 
                                     size_t* found, slipface_error* error) {
     return run(error, [&] {
         need("sweep", sweep);
+        checked(*sweep);
         const SharedWorld in(world.id);
         find_all<Contact>(
             Bodies(*in, filter), contacts, room, found,
@@ -178,6 +208,7 @@ slipface_status slipface_ray(slipface_world world, slipface_vec3 origin, slipfac
                              slipface_error* error) {
     return run(error, [&] {
         need("hit", hit);
+        check_ray(origin, direction, max_t);
         const SharedWorld in(world.id);
         slipface_ray_hit first{};
         first.t = -1.0;
@@ -195,6 +226,7 @@ slipface_status slipface_ray_hits(slipface_world world, slipface_vec3 origin, sl
                                   double max_t, const slipface_filter* filter, slipface_ray_hit* hits,
                                   size_t room, size_t* found, slipface_error* error) {
     return run(error, [&] {
+        check_ray(origin, direction, max_t);
         const SharedWorld in(world.id);
         find_all<RayHit>(
             Bodies(*in, filter), hits, room, found,
@@ -211,6 +243,8 @@ slipface_status slipface_closest_point(slipface_world world, slipface_vec3 point
                                        slipface_error* error) {
     return run(error, [&] {
         need("closest", closest);
+        finite(point, "point");
+        distance(max_distance, "max_distance");
         const SharedWorld in(world.id);
         slipface_closest nearest{};
         nearest.distance = -1.0;
@@ -220,7 +254,7 @@ slipface_status slipface_closest_point(slipface_world world, slipface_vec3 point
             if (!found || (nearest.distance >= 0.0 && found->distance >= nearest.distance)) return;
             const std::uint32_t number =
                 found->triangle < body.numbers.size() ? body.numbers[found->triangle] : found->triangle;
-            nearest = {found->distance, vec(found->point), number, found->face, body.platform};
+            nearest = {found->distance, vec(found->point), number, found->face, body.platform, {}};
         });
         *closest = nearest;
     });
@@ -230,6 +264,8 @@ slipface_status slipface_overlaps(slipface_world world, slipface_vec3 radii, sli
                                   const slipface_filter* filter, slipface_overlap* overlaps, size_t room,
                                   size_t* found, slipface_error* error) {
     return run(error, [&] {
+        positive(radii, "radii");
+        finite(centre, "centre");
         const SharedWorld in(world.id);
         find_all<Overlap>(
             Bodies(*in, filter), overlaps, room, found,
@@ -246,7 +282,8 @@ slipface_status slipface_overlaps(slipface_world world, slipface_vec3 radii, sli
                                         one.face,
                                         one.surface,
                                         body.platform,
-                                        static_cast<std::uint32_t>(one.feature)};
+                                        static_cast<std::uint32_t>(one.feature),
+                                        {}};
             });
     });
 }

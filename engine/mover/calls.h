@@ -2,17 +2,15 @@
 // what is wrong.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <new>
-#include <optional>
 
-#include "handles.h"
-#include "slipface/collision/filter.h"
-#include "slipface/level/level_scene.h"
+#include "slipface/base/result.h"
+#include "slipface/base/say.h"
+#include "slipface/movement/settings.h"
+#include "world.h"
 
 namespace slipface::c {
 
@@ -20,42 +18,14 @@ struct Settings final : Object {
     MovementSettings values;
 };
 
-// A platform of a world of triangles.
-struct PlatformBody {
-    std::vector<std::uint32_t> groups;
-    std::unique_ptr<CollisionWorld> rest;
-};
-
-struct World final : Object {
-    // A world of triangles.
-    CollisionWorld collision;
-    std::vector<SurfaceType> types;
-    std::vector<std::uint32_t> groups;  // [triangle]; empty: all are in all
-    std::vector<PlatformBody> platforms;
-    std::vector<MovingPart> parts;
-    PlatformTree tree;  // of `parts`
-    // A level; null in a world of triangles.
-    std::unique_ptr<Level> level;
-    std::optional<LevelScene> scene;
-    double time = 0.0, dt = 0.0;
-
-    std::optional<MovementScene> now;  // what queries and steps see; always there
-
-    void see_triangles() {
-        now.emplace(
-            MovementScene{.collision = collision, .surfaces = types, .platforms = parts, .tree = &tree});
-    }
-    void see_level() { now.emplace(scene->at(time, dt)); }
-};
-
 // A reason to stop, thrown within the library only.
 struct Failure {
     slipface_status status;
     std::string text;
 };
-template <class... Args>
-[[noreturn]] void refuse(slipface_status status, fmt::format_string<Args...> text, Args&&... args) {
-    throw Failure{status, fmt::format(text, std::forward<Args>(args)...)};
+template <class... Words>
+[[noreturn]] void refuse(slipface_status status, std::string_view text, const Words&... words) {
+    throw Failure{status, say(text, words...)};
 }
 [[noreturn]] inline void refuse(slipface_status status, const Error& error) {
     throw Failure{status, error.text()};
@@ -128,6 +98,60 @@ inline Vec3 finite(const slipface_vec3& v, const char* name) {
                v.z);
     return vec(v);
 }
+
+inline std::uint64_t handle_of(Kind kind, std::unique_ptr<Object> object) {
+    const std::uint64_t id = new_handle(kind, std::move(object));
+    if (id == 0) refuse(SLIPFACE_NO_MEMORY, "too many worlds and settings, expected at most 65536");
+    return id;
+}
+
+inline Vec3 positive(const slipface_vec3& v, const char* name) {
+    if (!(finite(v, name).minCoeff() > 0.0))
+        refuse(SLIPFACE_WRONG_ARGUMENT, "{}: found ({}, {}, {}), expected numbers above 0", name, v.x, v.y,
+               v.z);
+    return vec(v);
+}
+// 0 or more, and possibly infinite.
+inline double distance(double value, const char* name) {
+    if (!(value >= 0.0)) refuse(SLIPFACE_WRONG_ARGUMENT, "{}: found {}, expected 0 or more", name, value);
+    return value;
+}
+
+// A struct that the caller fills, of its version or a later one; what it does not have is 0. `first`: the
+// size of the first version.
+template <class Sized>
+Sized taken(const Sized& from, const char* name, std::size_t first = sizeof(Sized)) {
+    constexpr std::size_t most = 4096;
+    if (from.size < first || from.size > most)
+        refuse(SLIPFACE_WRONG_ARGUMENT, "{}: found the size {}, expected sizeof, {}", name, from.size,
+               sizeof(Sized));
+    Sized here{};
+    std::memcpy(&here, &from, std::min<std::size_t>(from.size, sizeof(Sized)));
+    return here;
+}
+// Of an array of such structs.
+template <class Sized>
+Sized& nth(Sized* first, std::size_t i) {
+    using Byte = std::conditional_t<std::is_const_v<Sized>, const char, char>;
+    return *reinterpret_cast<Sized*>(reinterpret_cast<Byte*>(first) + i * first->size);
+}
+
+// The scene of a world as a filter lets it be seen. The filter must outlive it.
+class Seen {
+  public:
+    Seen(const World& in, const slipface_filter* filter);
+    Seen(const Seen&) = delete;
+    Seen& operator=(const Seen&) = delete;
+
+    const MovementScene& scene() const { return filtered_ ? *filtered_ : *in_.now; }
+    const SceneFilter* filter() const { return filtered_ ? &filter_ : nullptr; }
+
+  private:
+    const World& in_;
+    slipface_filter asked_{};
+    SceneFilter filter_;
+    std::optional<MovementScene> filtered_;
+};
 
 slipface_contact contact_of(const Contact& contact, std::uint32_t platform,
                             std::span<const TriangleId> numbers);

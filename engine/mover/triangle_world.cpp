@@ -2,9 +2,7 @@
 #include <numeric>
 
 #include "calls.h"
-#include "slipface/base/system.h"
-#include "slipface/level/find_start.h"
-#include "slipface/level/level_file.h"
+#include "slipface/collision/collision_world.h"
 
 using namespace slipface;
 using namespace slipface::c;
@@ -26,8 +24,12 @@ struct Corners {
     }
 };
 
-Corners corners_of(const slipface_triangles* from, const std::vector<SurfaceType>& types) {
+slipface_triangles triangles_of(const slipface_triangles* from) {
     need("triangles", from);
+    return taken(*from, "triangles");
+}
+
+Corners corners_of(const slipface_triangles* from, const std::vector<SurfaceType>& types) {
     constexpr std::size_t most = std::size_t{1} << 25;
     if (from->triangle_count > most || from->position_count > 3 * most)
         refuse(SLIPFACE_WRONG_ARGUMENT, "found {} triangles and {} positions, expected at most {} and {}",
@@ -66,19 +68,45 @@ std::vector<std::uint32_t> groups_of(const slipface_triangles* from) {
                : std::vector<std::uint32_t>(from->groups, from->groups + from->triangle_count);
 }
 
-std::vector<SurfaceType>& types_of(World& world) {
-    return world.level ? world.level->surfaces : world.types;
-}
+// A platform: its mesh at rest.
+struct PlatformBody {
+    std::vector<std::uint32_t> groups;
+    std::unique_ptr<CollisionWorld> rest;
+};
 
-void types_changed(World& world) {
-    if (world.level) {
-        world.scene->apply_surfaces();
-        return world.see_level();
+struct TriangleWorld final : World {
+    CollisionWorld collision;
+    std::vector<SurfaceType> surfaces = preset_surface_types();
+    std::vector<std::uint32_t> groups;  // [triangle]; empty: all are in all
+    std::vector<PlatformBody> platforms;
+    std::vector<MovingPart> parts;
+    PlatformTree tree;  // of `parts`
+
+    void see() {
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            parts[i].groups = platforms[i].groups;
+        now.emplace(MovementScene{.collision = collision,
+                                  .surfaces = surfaces,
+                                  .platforms = parts,
+                                  .tree = &tree,
+                                  .groups = groups});
     }
-    apply_surface_rules(world.collision, world.types);
-    for (const PlatformBody& platform : world.platforms)
-        apply_surface_rules(*platform.rest, world.types);
-    world.see_triangles();
+    std::vector<SurfaceType>& types() override { return surfaces; }
+    void types_changed() override {
+        apply_surface_rules(collision, surfaces);
+        for (const PlatformBody& platform : platforms)
+            apply_surface_rules(*platform.rest, surfaces);
+        see();
+    }
+    std::size_t face_count() const override { return collision.triangle_count(); }
+    void set_face_type(FaceId face, SurfaceId type) override { collision.set_face_surface(face, type); }
+};
+
+TriangleWorld& of_triangles(World& world, const char* what) {
+    auto* const made = dynamic_cast<TriangleWorld*>(&world);
+    if (made == nullptr)
+        refuse(SLIPFACE_WRONG_ARGUMENT, "{}: found the world of a level, expected one of triangles", what);
+    return *made;
 }
 
 void need_type(const World& world, std::uint32_t type) {
@@ -87,19 +115,10 @@ void need_type(const World& world, std::uint32_t type) {
                world.now->surfaces.size());
 }
 
-slipface_world handle_of(std::unique_ptr<World> world) {
-    const std::uint64_t id = new_handle(Kind::world, std::move(world));
-    if (id == 0) refuse(SLIPFACE_NO_MEMORY, "too many worlds and settings, expected at most 65536");
-    return {id};
-}
-
-void need_triangles(const World& world, const char* what) {
-    if (world.level)
-        refuse(SLIPFACE_WRONG_ARGUMENT, "{}: found the world of a level, expected one of triangles", what);
-}
-void need_level(const World& world, const char* what) {
-    if (!world.level)
-        refuse(SLIPFACE_WRONG_ARGUMENT, "{}: found a world of triangles, expected that of a level", what);
+void need_platform(const TriangleWorld& world, std::uint32_t platform) {
+    if (platform >= world.platforms.size())
+        refuse(SLIPFACE_WRONG_ARGUMENT, "found the platform {}, expected one below {}", platform,
+               world.platforms.size());
 }
 
 Pose pose_of(const slipface_vec3& position, const double* rotation) {
@@ -135,28 +154,13 @@ slipface_status slipface_world_from_triangles(const slipface_triangles* triangle
                                               slipface_error* error) {
     return run(error, [&] {
         need("world", world);
-        auto made = std::make_unique<World>();
-        made->types = preset_surface_types();
-        made->collision = corners_of(triangles, made->types).world();
-        paint(made->collision, triangles, made->types);
-        made->groups = groups_of(triangles);
-        made->see_triangles();
-        *world = handle_of(std::move(made));
-    });
-}
-
-slipface_status slipface_world_from_level(const char* path, slipface_world* world, slipface_error* error) {
-    return run(error, [&] {
-        need("path and world", path, world);
-        Result<LoadedLevel> loaded = load_level(path_of(path));
-        if (!loaded) refuse(SLIPFACE_CANNOT_READ, loaded.error());
-        auto made = std::make_unique<World>();
-        made->level = std::make_unique<Level>(std::move(loaded->level));
-        Result<LevelScene> scene = LevelScene::build(*made->level);
-        if (!scene) refuse(SLIPFACE_CANNOT_READ, scene.error());
-        made->scene.emplace(std::move(*scene));
-        made->see_level();
-        *world = handle_of(std::move(made));
+        auto made = std::make_unique<TriangleWorld>();
+        const slipface_triangles given = triangles_of(triangles);
+        made->collision = corners_of(&given, made->surfaces).world();
+        paint(made->collision, &given, made->surfaces);
+        made->groups = groups_of(&given);
+        made->see();
+        world->id = handle_of(Kind::world, std::move(made));
     });
 }
 
@@ -179,38 +183,6 @@ slipface_status slipface_world_bounds(slipface_world world, slipface_vec3* lowes
     });
 }
 
-slipface_status slipface_world_settings(slipface_world world, slipface_settings* settings,
-                                        slipface_error* error) {
-    return run(error, [&] {
-        need("settings", settings);
-        auto made = std::make_unique<Settings>();
-        {
-            const SharedWorld in(world.id);
-            need_level(*in, "slipface_world_settings");
-            made->values = in->level->movement;
-        }
-        const std::uint64_t id = new_handle(Kind::settings, std::move(made));
-        if (id == 0) refuse(SLIPFACE_NO_MEMORY, "too many worlds and settings, expected at most 65536");
-        settings->id = id;
-    });
-}
-
-slipface_status slipface_world_spawn(slipface_world world, slipface_settings settings, const char* name,
-                                     slipface_vec3* position, double* yaw, slipface_error* error) {
-    return run(error, [&] {
-        need("position and yaw", position, yaw);
-        const SharedWorld in(world.id);
-        need_level(*in, "slipface_world_spawn");
-        const SharedSettings with(settings.id);
-        const Vec3 offset = in->scene->offset();
-        const Result<Start> start =
-            find_start(*in->level, *in->now, offset, with->values, name == nullptr ? "" : name);
-        if (!start) refuse(SLIPFACE_WRONG_ARGUMENT, start.error());
-        *position = vec(Vec3(start->position + offset));
-        *yaw = start->yaw;
-    });
-}
-
 slipface_status slipface_world_find_type(slipface_world world, const char* name, uint32_t* type,
                                          slipface_error* error) {
     return run(error, [&] {
@@ -227,7 +199,7 @@ slipface_status slipface_world_add_type(slipface_world world, const char* name, 
     return run(error, [&] {
         need("name and type", name, type);
         const ChangedWorld in(world.id);
-        std::vector<SurfaceType>& types = types_of(*in);
+        std::vector<SurfaceType>& types = in->types();
         if (*name == '\0' ||
             std::ranges::find(types, std::string_view(name), &SurfaceType::name) != types.end())
             refuse(SLIPFACE_WRONG_ARGUMENT, "found the name \"{}\", expected one that no type has", name);
@@ -235,7 +207,7 @@ slipface_status slipface_world_add_type(slipface_world world, const char* name, 
             refuse(SLIPFACE_WRONG_ARGUMENT, "found {} types, expected at most {}", types.size() + 1,
                    max_surface_types);
         types.push_back({.name = name});
-        types_changed(*in);
+        in->types_changed();
         *type = static_cast<std::uint32_t>(types.size() - 1);
     });
 }
@@ -258,7 +230,7 @@ slipface_status slipface_world_set_type(slipface_world world, uint32_t type, con
                 !std::holds_alternative<bool SurfaceType::*>(field->member))
                 refuse(SLIPFACE_WRONG_ARGUMENT, "{}: found {}, expected {} to {}", parameter, values[i],
                        field->minimum, field->maximum);
-        SurfaceType& changed = types_of(*in)[type];
+        SurfaceType& changed = in->types()[type];
         std::visit(
             [&](auto member) {
                 using Value = std::remove_cvref_t<decltype(changed.*member)>;
@@ -270,7 +242,7 @@ slipface_status slipface_world_set_type(slipface_world world, uint32_t type, con
                     changed.*member = values[0];
             },
             field->member);
-        types_changed(*in);
+        in->types_changed();
     });
 }
 
@@ -279,17 +251,27 @@ slipface_status slipface_world_set_face_type(slipface_world world, uint32_t face
     return run(error, [&] {
         const ChangedWorld in(world.id);
         need_type(*in, type);
-        const std::size_t faces = in->level ? in->level->mesh.face_count() : in->collision.triangle_count();
+        if (face >= in->face_count())
+            refuse(SLIPFACE_WRONG_ARGUMENT, "found the face {}, expected one below {}", face,
+                   in->face_count());
+        in->set_face_type(face, static_cast<SurfaceId>(type));
+    });
+}
+
+slipface_status slipface_world_set_face_groups(slipface_world world, uint32_t platform, uint32_t face,
+                                               uint32_t groups, slipface_error* error) {
+    return run(error, [&] {
+        const ChangedWorld changed(world.id);
+        TriangleWorld& in = of_triangles(*changed, "slipface_world_set_face_groups");
+        const bool moves = platform != SLIPFACE_NONE;
+        if (moves) need_platform(in, platform);
+        const std::size_t faces = moves ? in.platforms[platform].rest->triangle_count() : in.face_count();
         if (face >= faces)
             refuse(SLIPFACE_WRONG_ARGUMENT, "found the face {}, expected one below {}", face, faces);
-        if (in->level) {
-            in->level->overrides.resize(std::max<std::size_t>(in->level->overrides.size(), face + 1));
-            in->level->overrides[face] = static_cast<SurfaceId>(type);
-            in->scene->apply_surfaces();
-            in->see_level();
-        } else {
-            in->collision.set_face_surface(face, static_cast<SurfaceId>(type));
-        }
+        std::vector<std::uint32_t>& list = moves ? in.platforms[platform].groups : in.groups;
+        list.resize(faces, ~std::uint32_t{0});
+        list[face] = groups;
+        in.see();
     });
 }
 
@@ -297,55 +279,41 @@ slipface_status slipface_world_add_platform(slipface_world world, const slipface
                                             uint32_t* platform, slipface_error* error) {
     return run(error, [&] {
         need("platform", platform);
-        const ChangedWorld in(world.id);
-        need_triangles(*in, "slipface_world_add_platform");
-        const Corners corners = corners_of(triangles, in->types);
+        const ChangedWorld changed(world.id);
+        TriangleWorld& in = of_triangles(*changed, "slipface_world_add_platform");
+        const slipface_triangles given = triangles_of(triangles);
+        const Corners corners = corners_of(&given, in.surfaces);
         PlatformBody made;
         made.rest = std::make_unique<CollisionWorld>(corners.world(true));
-        paint(*made.rest, triangles, in->types);
-        made.groups = groups_of(triangles);
-        in->parts.emplace_back().rest = made.rest.get();
-        in->platforms.push_back(std::move(made));
+        paint(*made.rest, &given, in.surfaces);
+        made.groups = groups_of(&given);
+        in.parts.emplace_back().rest = made.rest.get();
+        in.platforms.push_back(std::move(made));
         std::vector<Aabb> rooms;
-        for (const MovingPart& part : in->parts)
+        for (const MovingPart& part : in.parts)
             rooms.push_back(room_of(part));
-        in->tree.build(rooms);
-        in->tree.refit(rooms);
-        in->see_triangles();
-        *platform = static_cast<std::uint32_t>(in->platforms.size() - 1);
+        in.tree.build(rooms);
+        in.tree.refit(rooms);
+        in.see();
+        *platform = static_cast<std::uint32_t>(in.platforms.size() - 1);
     });
 }
 
 slipface_status slipface_world_move_platform(slipface_world world, uint32_t platform, slipface_vec3 position,
                                              const double rotation[4], double dt, slipface_error* error) {
     return run(error, [&] {
-        const ChangedWorld in(world.id);
-        need_triangles(*in, "slipface_world_move_platform");
-        if (platform >= in->platforms.size())
-            refuse(SLIPFACE_WRONG_ARGUMENT, "found the platform {}, expected one below {}", platform,
-                   in->platforms.size());
+        const ChangedWorld changed(world.id);
+        TriangleWorld& in = of_triangles(*changed, "slipface_world_move_platform");
+        need_platform(in, platform);
         if (!(dt >= 1e-4 && std::isfinite(dt)))
             refuse(SLIPFACE_WRONG_ARGUMENT, "dt: found {}, expected 1e-4 or more", dt);
         const Pose pose = pose_of(position, rotation);
-        MovingPart& part = in->parts[platform];
+        MovingPart& part = in.parts[platform];
         part.begin = part.end;
         part.end = pose;
         part.pivot = pose.offset;
         part.velocity = (pose.offset - part.begin.offset) / dt;
         part.angular_velocity = turn_of(part.begin, pose) / dt;
-        in->tree.move(platform, room_of(part));
-    });
-}
-
-slipface_status slipface_world_set_time(slipface_world world, double time, double dt, slipface_error* error) {
-    return run(error, [&] {
-        if (!std::isfinite(time) || !(dt >= 0.0) || !std::isfinite(dt))
-            refuse(SLIPFACE_WRONG_ARGUMENT,
-                   "found the time {} and dt {}, expected finite numbers, dt 0 or more", time, dt);
-        const ChangedWorld in(world.id);
-        need_level(*in, "slipface_world_set_time");
-        in->time = time;
-        in->dt = dt;
-        in->see_level();
+        in.tree.move(platform, room_of(part));
     });
 }
