@@ -1,5 +1,5 @@
 // slipface_many [SECTION...]: many characters and many platforms in one frame (docs/performance.md). Sections:
-// crowds, city, rollback, single, platforms, growth; all if none is named. Processor time of one thread, medians;
+// queues, piles, markets, city, rollback, single, platforms, growth; all if none is named. Processor time of one thread, medians;
 // what is compared is taken in turns.
 #include <fmt/format.h>
 
@@ -109,18 +109,31 @@ Crowd market(const MovementSettings& settings, std::size_t count) {
     return crowd;
 }
 
-void crowds() {
-    auto one_thread = std::make_unique<ThreadLimit>(1);
+const CollisionWorld& plaza() {
+    static const CollisionWorld world = ground(2600, 4).world();
+    return world;
+}
+
+void queues() {
+    const ThreadLimit one_thread(1);
     const MovementSettings settings;
-    const CollisionWorld world = ground(2600, 4).world();
-    const MovementScene scene = scene_of(world);
+    const MovementScene scene = scene_of(plaza());
     for (const double pace : {0.0, 1.0})
         for (const bool along_x : {true, false}) {
             Crowd crowd = queue(settings, 3000, along_x, pace);
+            std::vector<Rest> rests(crowd.size());
+            for (std::size_t i = 0; i < crowd.size(); ++i)
+                crowd[i].rest = &rests[i];
             const Frames frames = frames_of(60, [&] { step_crowd(scene, crowd, dt); });
             fmt::print("queue of 3000 along {}, {}: {:.2f} ms a frame, worst {:.2f}\n", along_x ? "X" : "Z",
                        pace > 0.0 ? "walking" : "idle", frames.median_ms, frames.worst_ms);
         }
+}
+
+void piles() {
+    const ThreadLimit one_thread(1);
+    const MovementSettings settings;
+    const MovementScene scene = scene_of(plaza());
     for (const double spread : {0.0, 0.5, 2.0}) {
         scenes::Random random(5);
         Crowd crowd;
@@ -147,7 +160,11 @@ void crowds() {
                    "{:.0f} x {:.0f} x {:.0f} m\n",
                    spread, frames.worst_ms, frames.median_ms, apart, box.size().x(), box.size().y(), box.size().z());
     }
-    one_thread.reset();
+}
+
+void markets() {
+    const MovementSettings settings;
+    const MovementScene scene = scene_of(plaza());
     double one = 0.0;
     for (const int threads : {1, 2, 4, 8}) {
         const ThreadLimit limit(threads);
@@ -161,6 +178,7 @@ void crowds() {
         const double time = median(times);
         if (threads == 1) one = time;
         fmt::print("market of 5000, {} threads: {:.2f} ms a frame, {:.2f} times as fast\n", threads, time, one / time);
+        std::fflush(stdout);
     }
 }
 
@@ -181,10 +199,19 @@ void characters_in_city() {
             if (between(random, 0, 1) >= idle) next.input.wish = heading(random);
             crowd.push_back(next);
         }
-        for (int i = 0; i < 30; ++i)
+        std::vector<Rest> rests(crowd.size());
+        Crowd alone = crowd, many = crowd;
+        for (std::size_t i = 0; i < crowd.size(); ++i)
+            crowd[i].rest = &rests[i];
+        for (int i = 0; i < 30; ++i) {
             step_crowd(scene, crowd, dt);
-        Crowd alone = crowd;
-        std::vector<double> together, each;
+            step_many(scene, alone, dt);
+        }
+        many = alone;
+        std::vector<Rest> more(crowd.size());
+        for (std::size_t i = 0; i < crowd.size(); ++i)
+            many[i].rest = &more[i];
+        std::vector<double> together, each, resting;
         for (int i = 0; i < 60; ++i) {
             double begin = seconds();
             step_crowd(scene, crowd, dt);
@@ -193,9 +220,12 @@ void characters_in_city() {
             for (CrowdMember& one : alone)
                 one.state = step(scene, settings, one.state, one.input, dt).state;
             each.push_back(1e3 * (seconds() - begin));
+            begin = seconds();
+            step_many(scene, many, dt);
+            resting.push_back(1e3 * (seconds() - begin));
         }
-        fmt::print("  {:.0f} % idle: step_crowd {:.2f} ms a frame, step for each {:.2f}\n", 100 * idle,
-                   median(together), median(each));
+        fmt::print("  {:.0f} % idle: step_crowd {:.2f} ms a frame, step_many {:.2f}; step for each, without Rest, {:.2f}\n",
+                   100 * idle, median(together), median(resting), median(each));
     }
 }
 
@@ -334,7 +364,9 @@ int run(int count, char** names) {
         if (wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end()) of();
         std::fflush(stdout);
     };
-    section("crowds", crowds);
+    section("queues", queues);
+    section("piles", piles);
+    section("markets", markets);
     section("city", characters_in_city);
     section("rollback", rollback);
     section("single", single);

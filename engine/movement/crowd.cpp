@@ -14,10 +14,13 @@ namespace slipface {
 
 namespace {
 
-// Each round leaves at most half of what a wall or a third body left of an overlap.
+// Each round leaves at most half of what a wall or a third body left of an overlap. A pile that would take more than
+// so many pushes for each of its bodies goes on in the next step.
 constexpr int rounds = 8;
-// Distances at which bodies touch, in units of the summed radii: rounding is neither an overlap nor a gap.
-constexpr double overlapping = 1.0 - 1e-9, touching = 1.0 + 1e-3;
+constexpr std::size_t pushes_for_each = 4, pushes_of_few = 1000;
+// Distances at which bodies touch, in units of the summed radii: rounding is neither an overlap nor a gap. What
+// overlaps by less than `worth_a_round` waits for the next step.
+constexpr double overlapping = 1.0 - 1e-9, touching = 1.0 + 1e-3, worth_a_round = 1.0 - 1e-3;
 
 struct Body {
     CrowdMember* member = nullptr;
@@ -154,6 +157,12 @@ class Pushes {
     double longest_ = 0.0;
 };
 
+PlayerState stepped(const MovementScene& scene, CrowdMember& member, double dt) {
+    return member.rest != nullptr
+               ? step(scene, *member.settings, member.state, member.input, dt, *member.rest).state
+               : step(scene, *member.settings, member.state, member.input, dt).state;
+}
+
 constexpr std::size_t grain = 32;
 
 struct Crowd {
@@ -186,8 +195,8 @@ struct Crowd {
 
     // All give way at once, each as it sees the others before: no order of them, and no thread, decides.
     template <class FindTouch>
-    bool round(bool all, FindTouch&& find_touch) {
-        std::atomic<bool> any = false;
+    std::size_t round(bool all, FindTouch&& find_touch) {
+        std::atomic<std::size_t> count = 0;
         pushed.swap(pushed_before);
         each([&](std::size_t i, const Body& body) {
             bool changed = all || pushed_before[i] != 0;
@@ -200,23 +209,27 @@ struct Crowd {
                         together.add(give_way(body, bodies[k], *touch));
             pushes[i] = together.together();
             pushed[i] = pushes[i].isZero(0.0) ? 0 : 1;
-            if (pushed[i] != 0) any.store(true, std::memory_order_relaxed);
+            if (pushed[i] != 0) count.fetch_add(1, std::memory_order_relaxed);
         });
-        if (!any) return false;
+        if (count == 0) return 0;
         each([&](std::size_t i, Body& body) {
             if (pushed[i] != 0) body.gave = shift(scene, body, pushes[i]);
         });
-        return true;
+        return count;
     }
 
     void take_apart() {
         pushes.resize(bodies.size());
         pushed.assign(bodies.size(), 0);
         pushed_before = pushed;
-        round(true, first_touch);
-        const auto at_end = [](const Body& a, const Body& b) { return end_touch(a, b, overlapping); };
-        for (int i = 0; i < rounds && round(i == 0, at_end);)
-            ++i;
+        std::size_t count = round(true, first_touch), now = 1;
+        const std::size_t enough = std::max(pushes_of_few, pushes_for_each * bodies.size());
+        double distance = overlapping;
+        const auto at_end = [&](const Body& a, const Body& b) { return end_touch(a, b, distance); };
+        for (int i = 0; i < rounds && now > 0 && count < enough; ++i) {
+            count += now = round(i == 0, at_end);
+            distance = worth_a_round;
+        }
     }
 };
 
@@ -302,7 +315,7 @@ void settle(Crowd& crowd) {
 void step_many(const MovementScene& scene, std::span<CrowdMember> members, double dt) {
     parallel_for(members.size(), grain, [&](std::size_t first, std::size_t last) {
         for (CrowdMember& member : members.subspan(first, last - first))
-            member.state = step(scene, *member.settings, member.state, member.input, dt).state;
+            member.state = stepped(scene, member, dt);
     });
 }
 
@@ -327,9 +340,8 @@ void step_crowd(const MovementScene& scene, std::span<CrowdMember> members, doub
                                 .rides = state.grounded && state.carrier == Carrier::character});
     }
     crowd.each([&](std::size_t, Body& body) {
-        CrowdMember& member = *body.member;
-        member.state = step(scene, *member.settings, member.state, member.input, dt).state;
-        body.end = position_in_scene(scene, member.state);
+        body.member->state = stepped(scene, *body.member, dt);
+        body.end = position_in_scene(scene, body.member->state);
     });
     carry_riders(crowd, dt);
     crowd.find_near();

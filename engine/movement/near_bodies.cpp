@@ -47,11 +47,18 @@ Vec3 NearBodies::edge(int level) const {
     return least_ * std::ldexp(1.0, level);
 }
 
+NearBodies::Cell NearBodies::cell_of(const Vec3& at, int level) const {
+    const Vec3 cell = edge(level);
+    return {cell_along(at.x(), cell.x()), cell_along(at.y(), cell.y()), cell_along(at.z(), cell.z()), level};
+}
+
 std::size_t NearBodies::bucket(const Cell& cell) const {
-    std::uint64_t hash = 0;
-    for (const std::int32_t number : {cell.x, cell.y, cell.z, cell.level})
-        hash = (hash ^ static_cast<std::uint32_t>(number)) * 0x9e3779b97f4a7c15ULL;
-    return (hash >> 32) & (starts_.size() - 2);
+    const auto part = [](std::int32_t number, std::uint64_t factor) {
+        return static_cast<std::uint32_t>(number) * factor;
+    };
+    const std::uint64_t hash = part(cell.x, 0x9e3779b97f4a7c15ULL) ^ part(cell.y, 0xbf58476d1ce4e5b9ULL) ^
+                               part(cell.z, 0x94d049bb133111ebULL) ^ part(cell.level, 0xd6e8feb86659fd93ULL);
+    return (hash >> 40) & (starts_.size() - 2);
 }
 
 void NearBodies::find(std::span<const Aabb> rooms, std::span<const Vec3> places) {
@@ -61,18 +68,18 @@ void NearBodies::find(std::span<const Aabb> rooms, std::span<const Vec3> places)
         smallest = smallest.cwiseMin(room.size());
         largest = largest.cwiseMax(room.size());
     }
-    least_ = (1.5 * smallest).cwiseMax(1e-6 * largest);
+    // Of large cells few have to be looked at, and small ones hold few bodies.
+    least_ = (3.0 * smallest).cwiseMax(1e-6 * largest);
     cells_.resize(count);
     levels_.clear();
     for (std::size_t i = 0; i < count; ++i) {
         const double times = rooms[i].size().cwiseQuotient(least_).maxCoeff();
         const int level = times > 1.0 ? std::ilogb(times) + 1 : 0;
-        const Vec3 middle = 0.5 * (rooms[i].min + rooms[i].max), cell = edge(level);
-        cells_[i] = {cell_along(middle.x(), cell.x()), cell_along(middle.y(), cell.y()),
-                     cell_along(middle.z(), cell.z()), level};
-        if (std::find(levels_.begin(), levels_.end(), level) == levels_.end()) levels_.push_back(level);
+        cells_[i] = cell_of(0.5 * (rooms[i].min + rooms[i].max), level);
+        auto found = std::find_if(levels_.begin(), levels_.end(), [&](const Level& l) { return l.level == level; });
+        if (found == levels_.end()) found = levels_.insert(found, {level, Vec3::Zero()});
+        found->reach = found->reach.cwiseMax(0.5 * rooms[i].size());
     }
-    std::sort(levels_.begin(), levels_.end());
 
     std::size_t buckets = 1;
     while (buckets < count)
@@ -83,24 +90,22 @@ void NearBodies::find(std::span<const Aabb> rooms, std::span<const Vec3> places)
         bucket_of[i] = static_cast<std::uint32_t>(bucket(cells_[i]));
     sort_into(bucket_of, buckets, starts_, bodies_);
 
-    lists_.reset(new std::uint32_t[count * most]);
-    counts_.assign(count, 0);
+    lists_.resize(count);
     parallel_for(count, grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
             list(static_cast<std::uint32_t>(i), rooms);
     });
     // A larger body has not looked among the smaller ones.
     for (std::uint32_t i = 0; levels_.size() > 1 && i < count; ++i)
-        for (std::uint32_t k = 0, own = counts_[i]; k < own; ++k)
-            if (const std::uint32_t other = lists_[i * most + k]; cells_[other].level > cells_[i].level)
-                add(other, i);
+        for (std::size_t k = 0; k < lists_[i].size(); ++k)
+            if (const std::uint32_t other = lists_[i][k]; cells_[other].level > cells_[i].level) add(other, i);
     parallel_for(count, grain, [&](std::size_t first, std::size_t last) {
         const auto key = [&](std::uint32_t body) {
             const Vec3& at = places[body];
             return std::tuple(at.y(), at.x(), at.z(), body);
         };
         for (std::size_t i = first; i < last; ++i)
-            std::sort(lists_.get() + i * most, lists_.get() + i * most + counts_[i],
+            std::sort(lists_[i].begin(), lists_[i].end(),
                       [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
     });
 }
@@ -110,20 +115,19 @@ void NearBodies::list(std::uint32_t body, std::span<const Aabb> rooms) {
     const auto touches = [&](const Aabb& other) {
         return (room.min.array() <= other.max.array()).all() && (other.min.array() <= room.max.array()).all();
     };
-    for (const int level : levels_) {
-        if (level < cells_[body].level) continue;
-        const Vec3 cell = edge(level), low = room.min - 0.5 * cell, high = room.max + 0.5 * cell;
-        Cell at{.x = 0, .y = 0, .z = 0, .level = level};
-        for (at.z = cell_along(low.z(), cell.z()); at.z <= cell_along(high.z(), cell.z()); ++at.z)
-            for (at.y = cell_along(low.y(), cell.y()); at.y <= cell_along(high.y(), cell.y()); ++at.y)
-                for (at.x = cell_along(low.x(), cell.x()); at.x <= cell_along(high.x(), cell.x()); ++at.x) {
+    for (const Level& of : levels_) {
+        if (of.level < cells_[body].level) continue;
+        const Cell first = cell_of(room.min - of.reach, of.level), last = cell_of(room.max + of.reach, of.level);
+        Cell at = first;
+        for (at.z = first.z; at.z <= last.z; ++at.z)
+            for (at.y = first.y; at.y <= last.y; ++at.y)
+                for (at.x = first.x; at.x <= last.x; ++at.x) {
                     const std::size_t index = bucket(at);
-                    const std::uint32_t* const begin = bodies_.data() + starts_[index];
-                    const std::uint32_t* const end = bodies_.data() + starts_[index + 1];
+                    const auto begin = bodies_.begin() + starts_[index], end = bodies_.begin() + starts_[index + 1];
                     // From behind the body on and around, so that those of a pile do not all list the same ones.
-                    const std::uint32_t* const behind = std::upper_bound(begin, end, body);
+                    const auto behind = std::upper_bound(begin, end, body);
                     for (const auto& [from, to] : {std::pair(behind, end), std::pair(begin, behind)})
-                        for (const std::uint32_t* other = from; other != to && counts_[body] < most; ++other)
+                        for (auto other = from; other != to && lists_[body].size() < most; ++other)
                             if (*other != body && cells_[*other] == at && touches(rooms[*other])) add(body, *other);
                 }
     }

@@ -1,7 +1,6 @@
 // The bodies of a crowd that are near each other.
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -14,15 +13,15 @@ namespace slipface {
 // their own, each of twice the edge.
 class NearBodies {
   public:
-    // No body that keeps others out touches more than some twelve of its size. In a pile the rest comes later.
-    static constexpr std::uint32_t most = 32;
+    // A body touches up to some twelve of its size. In a pile the rest comes later.
+    static constexpr std::size_t most = 16;
 
     // `rooms`: [body] the box of all places of its tick. `places`: the order of what of() returns goes by them,
     // then by the number of the body.
     void find(std::span<const Aabb> rooms, std::span<const Vec3> places);
     // Those whose rooms touch the body's; in a pile `most` of them, and then one may list the other alone.
     std::span<const std::uint32_t> of(std::size_t body) const {
-        return {lists_.get() + body * most, counts_[body]};
+        return lists_[body];
     }
 
   private:
@@ -30,19 +29,23 @@ class NearBodies {
         std::int32_t x, y, z, level;
         friend bool operator==(const Cell&, const Cell&) = default;
     };
+    struct Level {
+        int level;
+        Vec3 reach;  // from a body's middle to the end of the largest room
+    };
     Vec3 edge(int level) const;
+    Cell cell_of(const Vec3& at, int level) const;
     std::size_t bucket(const Cell& cell) const;
     void list(std::uint32_t body, std::span<const Aabb> rooms);
     void add(std::uint32_t body, std::uint32_t other) {
-        if (counts_[body] < most) lists_[body * most + counts_[body]++] = other;
+        if (lists_[body].size() < most) lists_[body].push_back(other);
     }
 
     Vec3 least_ = Vec3::Ones();  // edges of the smallest cells, m
-    std::vector<int> levels_;    // that have bodies, ascending
+    std::vector<Level> levels_;  // that have bodies
     std::vector<Cell> cells_;    // [body]
     std::vector<std::uint32_t> starts_, bodies_;  // [bucket] where its bodies begin, and those
-    std::unique_ptr<std::uint32_t[]> lists_;      // [body * most + i]
-    std::vector<std::uint32_t> counts_;           // [body]
+    std::vector<std::vector<std::uint32_t>> lists_;  // [body]
 };
 
 // Numbers of the places in an order in which near ones mostly follow each other.

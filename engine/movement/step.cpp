@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "mover.h"
+#include "slipface/movement/rest.h"
 
 namespace slipface {
 
@@ -47,10 +48,9 @@ void trace_sector(const MovementScene& scene, const PlayerState& before, const P
                               .limit = 0.5 * scene.sectors.size});
 }
 
-}  // namespace
-
-StepResult step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
-                const PlayerInput& input, double dt, TraceSink* trace) {
+// `looked`: the box of all places where a platform would be found; may be null.
+StepResult make_step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
+                     const PlayerInput& input, double dt, TraceSink* trace, Aabb* looked) {
     if (!usable(settings) || !usable(state, input, dt)) return {.state = state};
     const Vec2 wish = at_most_one(input.wish);
     dt = std::min(dt, longest_hitch_s);
@@ -97,6 +97,11 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
                      .step_s = dt},
                     around);
         mover.began_free = free;
+        mover.looked = looked;
+        if (looked != nullptr) {
+            looked->add(around.platforms.room.min);
+            looked->add(around.platforms.room.max);
+        }
         move_with_platforms(mover, before);
         if (part == 0 || mover.pressed) leave_geometry(mover);
         const Vec3 safe = mover.position;
@@ -118,6 +123,22 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     result.state.crushed = crushed;
     put_in_scene(scene, result.state.position, result.state);
     trace_sector(scene, state, result.state, trace);
+    return result;
+}
+
+}  // namespace
+
+StepResult step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
+                const PlayerInput& input, double dt, TraceSink* trace) {
+    return make_step(scene, settings, state, input, dt, trace, nullptr);
+}
+
+StepResult step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
+                const PlayerInput& input, double dt, Rest& rest) {
+    if (const StepResult* const known = rest.find(scene, settings, state, input, dt)) return *known;
+    Aabb looked;
+    StepResult result = make_step(scene, settings, state, input, dt, nullptr, &looked);
+    rest.note(scene, settings, state, input, dt, looked, result);
     return result;
 }
 

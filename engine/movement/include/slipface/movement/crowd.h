@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "slipface/movement/step.h"
+#include "slipface/movement/rest.h"
 
 namespace slipface {
 
@@ -11,6 +11,7 @@ struct CrowdMember {
     const MovementSettings* settings = nullptr;  // never null; with its own radii
     PlayerState state;                           // before, and then after the step
     PlayerInput input;
+    Rest* rest = nullptr;  // the member's own, that the game keeps; null: a member at rest costs a step
 };
 
 // step() for each member, on all available threads: for players that pass through each other. The results do not
@@ -27,12 +28,12 @@ void step_many(const MovementScene& scene, std::span<CrowdMember> members, doubl
 // - All other contacts push horizontally, each of the two by half; what a wall does not let one of them give
 //   way, the other one does. They lose the speed at which they approached each other, each half of it.
 // - All give way at once, in up to nine rounds, each by no more than the longest push that it gets: nobody's turn
-//   comes first. In a pile a member sees 32 of those around it, and the next steps take the others apart.
+//   comes first. In a pile a member sees 16 of those around it, and the next steps take the others apart.
 // - Pushing moves a member only as slide_move() would: step()'s guarantee holds. Between a wall and a crowd,
 //   members may overlap each other; the next steps take them apart.
 //
 // Members meet also if they would pass through each other within the step. The results have the same bits for
-// every order of the members, unless two of them are at exactly the same position or more than 32 are in one
+// every order of the members, unless two of them are at exactly the same position or more than 16 are in one
 // place, and for every number of threads. Members whose state step() would return unchanged are passed through.
 // Takes time in proportion to the number of members and contacts. Allocates memory; uses all available threads.
 void step_crowd(const MovementScene& scene, std::span<CrowdMember> members, double dt);
