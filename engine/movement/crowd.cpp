@@ -140,16 +140,17 @@ Vec3 give_way(const Body& a, const Body& b, const Touch& touch) {
     return (1.0 - 0.5 * b.gave) * depth * away;
 }
 
-// Of several that push the same way one is enough, and two from opposite sides are none.
+// Of several that push the same way few are enough, and two from opposite sides are none.
 class Pushes {
   public:
     void add(const Vec3& push) {
         sum_ += push;
         longest_ = std::max(longest_, push.norm());
     }
-    Vec3 together() const {
-        const double length = sum_.norm();
-        return length > longest_ ? Vec3(sum_ * (longest_ / length)) : sum_;
+    // At most so many times as long as the longest.
+    Vec3 together(double times) const {
+        const double length = sum_.norm(), most = times * longest_;
+        return length > most ? Vec3(sum_ * (most / length)) : sum_;
     }
 
   private:
@@ -207,7 +208,7 @@ struct Crowd {
                 for (const std::uint32_t k : near.of(i))
                     if (const std::optional<Touch> touch = find_touch(body, bodies[k]))
                         together.add(give_way(body, bodies[k], *touch));
-            pushes[i] = together.together();
+            pushes[i] = together.together(2.0);
             pushed[i] = pushes[i].isZero(0.0) ? 0 : 1;
             if (pushed[i] != 0) count.fetch_add(1, std::memory_order_relaxed);
         });
@@ -305,7 +306,7 @@ void settle(Crowd& crowd) {
             brakes.add(-0.5 * std::min(0.0, (before[i] - before[k]).dot(away)) * away);
         }
         PlayerState& state = body.member->state;
-        if (!body.held()) state.velocity += brakes.together();
+        if (!body.held()) state.velocity += brakes.together(1.0);
         if (ground != nullptr) stand(body, *ground, normal, state);
     });
 }

@@ -90,7 +90,7 @@ void NearBodies::find(std::span<const Aabb> rooms, std::span<const Vec3> places)
         bucket_of[i] = static_cast<std::uint32_t>(bucket(cells_[i]));
     sort_into(bucket_of, buckets, starts_, bodies_);
 
-    lists_.resize(count);
+    lists_.assign(count, {});
     parallel_for(count, grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
             list(static_cast<std::uint32_t>(i), rooms);
