@@ -1,10 +1,11 @@
-// slipface_many [SECTION...]: many characters and many platforms in one frame (docs/performance.md). Sections:
-// queues, piles, markets, city, rollback, single, platforms, growth; all if none is named. Processor time of one thread, medians;
-// what is compared is taken in turns.
+// slipface_many [SECTION...]: many characters and many platforms in one frame (docs/performance.md).
+// Sections: queues, piles, markets, city, rollback, single, platforms, growth; all if none is named.
+// Processor time of one thread, medians; what is compared is taken in turns.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <string_view>
 
@@ -104,8 +105,8 @@ Crowd market(const MovementSettings& settings, std::size_t count) {
     const double edge = std::sqrt(2.0 * static_cast<double>(count));
     Crowd crowd;
     for (std::size_t i = 0; i < count; ++i)
-        crowd.push_back(
-            member(settings, {50 + between(random, 0, edge), 0, 50 + between(random, 0, edge)}, heading(random)));
+        crowd.push_back(member(settings, {50 + between(random, 0, edge), 0, 50 + between(random, 0, edge)},
+                               heading(random)));
     return crowd;
 }
 
@@ -158,9 +159,11 @@ void piles() {
         Aabb box;
         for (const CrowdMember& each : crowd)
             box.add(each.state.position);
-        fmt::print("pile of 1000 within {} m: worst frame {:.2f} ms, median {:.2f}; the closest at {:.3f} of their "
-                   "distance after {} frames, then {:.0f} x {:.0f} x {:.0f} m\n",
-                   spread, frames.worst_ms, frames.median_ms, closest, apart < 0 ? frame : apart, box.size().x(), box.size().y(), box.size().z());
+        fmt::print(
+            "pile of 1000 within {} m: worst frame {:.2f} ms, median {:.2f}; the closest at {:.3f} of their "
+            "distance after {} frames, then {:.0f} x {:.0f} x {:.0f} m\n",
+            spread, frames.worst_ms, frames.median_ms, closest, apart < 0 ? frame : apart, box.size().x(),
+            box.size().y(), box.size().z());
     }
 }
 
@@ -180,8 +183,10 @@ void markets() {
         }
         const double time = median(times);
         if (threads == 1) one = time;
-        fmt::print("market of 5000, {} threads: {:.2f} ms a frame, {:.2f} times as fast; {:.2f} ms of the caller's time\n",
-                   threads, time, one / time, median(own));
+        fmt::print(
+            "market of 5000, {} threads: {:.2f} ms a frame, {:.2f} times as fast; {:.2f} ms of the caller's "
+            "time\n",
+            threads, time, one / time, median(own));
         std::fflush(stdout);
     }
 }
@@ -228,8 +233,10 @@ void characters_in_city() {
             step_many(scene, many, dt);
             resting.push_back(1e3 * (seconds() - begin));
         }
-        fmt::print("  {:.0f} % idle: step_crowd {:.2f} ms a frame, step_many {:.2f}; step for each, without Rest, {:.2f}\n",
-                   100 * idle, median(together), median(resting), median(each));
+        fmt::print(
+            "  {:.0f} % idle: step_crowd {:.2f} ms a frame, step_many {:.2f}; step for each, without Rest, "
+            "{:.2f}\n",
+            100 * idle, median(together), median(resting), median(each));
     }
 }
 
@@ -276,8 +283,9 @@ void single() {
         double height;
         Vec2 wish;
     };
-    for (const Case& of : {Case{"free fall", 5000.0, {0, 0}}, Case{"free fall, stick held", 5000.0, {1, 0}},
-                           Case{"level ground, walking", 0.0, {0.6, 0.8}}, Case{"level ground, idle", 0.0, {0, 0}}}) {
+    for (const Case& of :
+         {Case{"free fall", 5000.0, {0, 0}}, Case{"free fall, stick held", 5000.0, {1, 0}},
+          Case{"level ground, walking", 0.0, {0.6, 0.8}}, Case{"level ground, idle", 0.0, {0, 0}}}) {
         std::vector<double> times;
         for (int round = 0; round < 20; ++round) {
             PlayerState state = member(settings, {1000, of.height, 1000}).state;
@@ -326,7 +334,9 @@ void platforms() {
             PlayerState state = member(settings, {100, 0, 100}).state;
             const double begin = seconds();
             for (int i = 0; i < 600; ++i)
-                state = step(scene, settings, state, {.wish = i % 120 < 60 ? Vec2(0.6, 0.8) : Vec2(-0.6, -0.8)}, dt).state;
+                state = step(scene, settings, state,
+                             {.wish = i % 120 < 60 ? Vec2(0.6, 0.8) : Vec2(-0.6, -0.8)}, dt)
+                            .state;
             return seconds() - begin;
         };
         const double plain = time(without);
@@ -338,8 +348,10 @@ void platforms() {
         tree.refit(rooms);
         refits.push_back(1e3 * (seconds() - begin));
     }
-    fmt::print("2000 platforms far away: a step takes {:.3f} times as long, {:.1f} times without a tree; new rooms {:.3f} ms a tick\n",
-               median(ratios), median(unlisted), median(refits));
+    fmt::print(
+        "2000 platforms far away: a step takes {:.3f} times as long, {:.1f} times without a tree; new rooms "
+        "{:.3f} ms a tick\n",
+        median(ratios), median(unlisted), median(refits));
 }
 
 // ---- growth
@@ -358,8 +370,9 @@ void growth() {
         Crowd crowd = market(settings, count);
         times.push_back(frames_of(count > 1000 ? 30 : 100, [&] { step_crowd(scene, crowd, dt); }).median_ms);
     }
-    fmt::print("characters, 100 / 1000 / 10,000: {:.3f} / {:.3f} / {:.3f} ms, exponents {:.2f} and {:.2f}\n", times[0],
-               times[1], times[2], exponent(times[0], times[1], 1), exponent(times[1], times[2], 1));
+    fmt::print("characters, 100 / 1000 / 10,000: {:.3f} / {:.3f} / {:.3f} ms, exponents {:.2f} and {:.2f}\n",
+               times[0], times[1], times[2], exponent(times[0], times[1], 1),
+               exponent(times[1], times[2], 1));
 }
 
 int run(int count, char** names) {

@@ -14,12 +14,12 @@ namespace slipface {
 
 namespace {
 
-// Each round leaves at most half of what a wall or a third body left of an overlap. A pile that would take more than
-// so many pushes for each of its bodies goes on in the next step.
+// Each round leaves at most half of what a wall or a third body left of an overlap. A pile that would take
+// more than so many pushes for each of its bodies goes on in the next step.
 constexpr int rounds = 8;
 constexpr std::size_t pushes_for_each = 4, pushes_of_few = 1000;
-// Distances at which bodies touch, in units of the summed radii: rounding is neither an overlap nor a gap. What
-// overlaps by less than `worth_a_round` waits for the next step.
+// Distances at which bodies touch, in units of the summed radii: rounding is neither an overlap nor a gap.
+// What overlaps by less than `worth_a_round` waits for the next step.
 constexpr double overlapping = 1.0 - 1e-9, touching = 1.0 + 1e-3, worth_a_round = 1.0 - 1e-3;
 
 struct Body {
@@ -125,7 +125,8 @@ Vec3 sideways(const Body& a, const Body& b, const Vec3& normal) {
     return flat.isZero(0.0) ? any_direction(a, b) : flat;
 }
 
-// What the first body does to leave the second one, m: it goes half the way, and what the other one could not go.
+// What the first body does to leave the second one, m: it goes half the way, and what the other one could not
+// go.
 Vec3 give_way(const Body& a, const Body& b, const Touch& touch) {
     if (stands_on(a, touch.normal)) return way_out(a, b, Vec3::UnitY()) * Vec3::UnitY();
     if (stands_on(b, -touch.normal))  // under a ceiling
@@ -170,7 +171,7 @@ struct Crowd {
     const MovementScene& scene;
     std::vector<Body> bodies;
     NearBodies near;
-    std::vector<Vec3> pushes;                        // [body] in this round, m
+    std::vector<Vec3> pushes;                         // [body] in this round, m
     std::vector<std::uint8_t> pushed, pushed_before;  // [body] in this round, and in the one before
 
     explicit Crowd(const MovementScene& its_scene) : scene(its_scene) {}

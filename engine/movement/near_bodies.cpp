@@ -20,8 +20,8 @@ std::int32_t cell_along(double position, double edge) {
 }
 
 // [bucket] where its items begin; the last entry is their number. Then the items.
-void sort_into(std::span<const std::uint32_t> bucket_of, std::size_t buckets, std::vector<std::uint32_t>& starts,
-               std::vector<std::uint32_t>& items) {
+void sort_into(std::span<const std::uint32_t> bucket_of, std::size_t buckets,
+               std::vector<std::uint32_t>& starts, std::vector<std::uint32_t>& items) {
     starts.assign(buckets + 1, 0);
     for (const std::uint32_t bucket : bucket_of)
         ++starts[bucket];
@@ -76,7 +76,8 @@ void NearBodies::find(std::span<const Aabb> rooms, std::span<const Vec3> places)
         const double times = rooms[i].size().cwiseQuotient(least_).maxCoeff();
         const int level = times > 1.0 ? std::ilogb(times) + 1 : 0;
         cells_[i] = cell_of(0.5 * (rooms[i].min + rooms[i].max), level);
-        auto found = std::find_if(levels_.begin(), levels_.end(), [&](const Level& l) { return l.level == level; });
+        auto found =
+            std::find_if(levels_.begin(), levels_.end(), [&](const Level& l) { return l.level == level; });
         if (found == levels_.end()) found = levels_.insert(found, {level, Vec3::Zero()});
         found->reach = found->reach.cwiseMax(0.5 * rooms[i].size());
     }
@@ -98,7 +99,8 @@ void NearBodies::find(std::span<const Aabb> rooms, std::span<const Vec3> places)
     // A larger body has not looked among the smaller ones.
     for (std::uint32_t i = 0; levels_.size() > 1 && i < count; ++i)
         for (std::size_t k = 0; k < lists_[i].size(); ++k)
-            if (const std::uint32_t other = lists_[i][k]; cells_[other].level > cells_[i].level) add(other, i);
+            if (const std::uint32_t other = lists_[i][k]; cells_[other].level > cells_[i].level)
+                add(other, i);
     parallel_for(count, grain, [&](std::size_t first, std::size_t last) {
         const auto key = [&](std::uint32_t body) {
             const Vec3& at = places[body];
@@ -117,18 +119,22 @@ void NearBodies::list(std::uint32_t body, std::span<const Aabb> rooms) {
     };
     for (const Level& of : levels_) {
         if (of.level < cells_[body].level) continue;
-        const Cell first = cell_of(room.min - of.reach, of.level), last = cell_of(room.max + of.reach, of.level);
+        const Cell first = cell_of(room.min - of.reach, of.level),
+                   last = cell_of(room.max + of.reach, of.level);
         Cell at = first;
         for (at.z = first.z; at.z <= last.z; ++at.z)
             for (at.y = first.y; at.y <= last.y; ++at.y)
                 for (at.x = first.x; at.x <= last.x; ++at.x) {
                     const std::size_t index = bucket(at);
-                    const auto begin = bodies_.begin() + starts_[index], end = bodies_.begin() + starts_[index + 1];
-                    // From behind the body on and around, so that those of a pile do not all list the same ones.
+                    const auto begin = bodies_.begin() + starts_[index],
+                               end = bodies_.begin() + starts_[index + 1];
+                    // From behind the body on and around, so that those of a pile do not all list the same
+                    // ones.
                     const auto behind = std::upper_bound(begin, end, body);
                     for (const auto& [from, to] : {std::pair(behind, end), std::pair(begin, behind)})
                         for (auto other = from; other != to && lists_[body].size() < most; ++other)
-                            if (*other != body && cells_[*other] == at && touches(rooms[*other])) add(body, *other);
+                            if (*other != body && cells_[*other] == at && touches(rooms[*other]))
+                                add(body, *other);
                 }
     }
 }

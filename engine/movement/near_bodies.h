@@ -16,13 +16,11 @@ class NearBodies {
     // A body touches up to some twelve of its size. In a pile the rest comes later.
     static constexpr std::size_t most = 16;
 
-    // `rooms`: [body] the box of all places of its tick. `places`: the order of what of() returns goes by them,
-    // then by the number of the body.
+    // `rooms`: [body] the box of all places of its tick. `places`: the order of what of() returns goes by
+    // them, then by the number of the body.
     void find(std::span<const Aabb> rooms, std::span<const Vec3> places);
     // Those whose rooms touch the body's; in a pile `most` of them, and then one may list the other alone.
-    std::span<const std::uint32_t> of(std::size_t body) const {
-        return lists_[body];
-    }
+    std::span<const std::uint32_t> of(std::size_t body) const { return lists_[body]; }
 
   private:
     struct Cell {
@@ -41,10 +39,10 @@ class NearBodies {
         if (lists_[body].size() < most) lists_[body].push_back(other);
     }
 
-    Vec3 least_ = Vec3::Ones();  // edges of the smallest cells, m
-    std::vector<Level> levels_;  // that have bodies
-    std::vector<Cell> cells_;    // [body]
-    std::vector<std::uint32_t> starts_, bodies_;  // [bucket] where its bodies begin, and those
+    Vec3 least_ = Vec3::Ones();                      // edges of the smallest cells, m
+    std::vector<Level> levels_;                      // that have bodies
+    std::vector<Cell> cells_;                        // [body]
+    std::vector<std::uint32_t> starts_, bodies_;     // [bucket] where its bodies begin, and those
     std::vector<std::vector<std::uint32_t>> lists_;  // [body]
 };
 

@@ -39,12 +39,12 @@ bool may_meet_platform(const MovementScene& scene, const Vec3& radii, const Aabb
 
 const StepResult* Rest::find(const MovementScene& scene, const MovementSettings& settings,
                              const PlayerState& state, const PlayerInput& input, double dt) const {
-    const bool same = known_ && same_bits(state, result_.state) && dt == dt_ && same_bits(input.wish, input_.wish) &&
-                      input.buttons == input_.buttons && settings == settings_ &&
-                      revision(scene.collision) == world_ && scene.surfaces.data() == surfaces_.data() &&
-                      scene.surfaces.size() == surfaces_.size() && scene.heightfield == heightfield_ &&
-                      scene.sectors == sectors_ && scene.platforms.empty() != platforms_ &&
-                      !may_meet_platform(scene, settings.radii, looked_);
+    const bool same =
+        known_ && same_bits(state, result_.state) && dt == dt_ && same_bits(input.wish, input_.wish) &&
+        input.buttons == input_.buttons && settings == settings_ && revision(scene.collision) == world_ &&
+        scene.surfaces.data() == surfaces_.data() && scene.surfaces.size() == surfaces_.size() &&
+        scene.heightfield == heightfield_ && scene.sectors == sectors_ &&
+        scene.platforms.empty() != platforms_ && !may_meet_platform(scene, settings.radii, looked_);
     return same ? &result_ : nullptr;
 }
 

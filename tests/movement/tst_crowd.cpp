@@ -229,7 +229,8 @@ TEST(Crowd, EveryTwoThatMeetAreTakenApart) {
             if (i % 2 == 1) {
                 const Vec3 sum = settings[i - 1].radii + settings[i].radii;
                 const Vec3 out(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
-                place = crowd.back().state.position + 0.9 * random.between(0.1, 1) * out.normalized().cwiseProduct(sum);
+                place = crowd.back().state.position +
+                        0.9 * random.between(0.1, 1) * out.normalized().cwiseProduct(sum);
             }
             crowd.push_back({&settings[i], at(place), {}});
         }
@@ -288,7 +289,8 @@ TEST(Crowd, StepManyIsAStepOfEach) {
     const Crowd before = crowd;
     step_many(yard.scene(), crowd, tick);
     for (std::size_t i = 0; i < crowd.size(); ++i)
-        EXPECT_EQ(crowd[i].state, step(yard.scene(), yard.settings, before[i].state, before[i].input, tick).state);
+        EXPECT_EQ(crowd[i].state,
+                  step(yard.scene(), yard.settings, before[i].state, before[i].input, tick).state);
 }
 
 }  // namespace slipface::test

@@ -12,7 +12,8 @@ void expect_same(const StepResult& found, const StepResult& expected) {
     ASSERT_EQ(found.state, expected.state);
     for (const auto member : PlayerState::vectors)
         for (int axis = 0; axis < 3; ++axis)
-            ASSERT_EQ(std::signbit((found.state.*member)[axis]), std::signbit((expected.state.*member)[axis]));
+            ASSERT_EQ(std::signbit((found.state.*member)[axis]),
+                      std::signbit((expected.state.*member)[axis]));
     for (const auto member : PlayerState::numbers)
         ASSERT_EQ(std::signbit(found.state.*member), std::signbit(expected.state.*member));
     ASSERT_EQ(found.sweeps, expected.sweeps);
@@ -36,7 +37,8 @@ struct Ferry {
         const std::vector<Vec3f> corners{{-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}};
         const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
         const std::vector<FaceId> faces{0, 0};
-        rest = std::move(CollisionWorld::build_movable({.positions = corners, .triangles = triangles, .faces = faces}))
+        rest = std::move(CollisionWorld::build_movable(
+                             {.positions = corners, .triangles = triangles, .faces = faces}))
                    .value();
         parts.resize(1);
         parts[0].rest = &rest;
@@ -67,7 +69,8 @@ TEST(Rest, GivesTheBitsOfAStepInAnyLevel) {
         for (int i = 0; i < 30; ++i) {
             const Vec3 centre(random.between(-9, 9), random.between(-1, 2), random.between(-9, 9));
             const auto corner = [&] {
-                return Vec3(centre + Vec3(random.between(-2, 2), random.between(-1, 1), random.between(-2, 2)));
+                return Vec3(centre +
+                            Vec3(random.between(-2, 2), random.between(-1, 1), random.between(-2, 2)));
             };
             lab.polygon({corner(), corner(), corner()}, static_cast<SurfaceId>(random.below(8)));
         }

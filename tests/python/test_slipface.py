@@ -56,6 +56,9 @@ class Crowds(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "found 1 for 2 players"):
             world.step_crowd([world.player((0, 1, 0))] * 2, [settings], [(0, 0)] * 2)
         self.assertEqual(world.step_crowd([], [], []), [])
+        many = world.step_many(players, settings, [(0, 1), (1, 0)])
+        self.assertEqual([player.position for player in many],
+                         [world.step(players[i], settings[i], wish).position for i, wish in enumerate([(0, 1), (1, 0)])])
 
 
 class Queries(unittest.TestCase):

@@ -7,18 +7,18 @@
 
 namespace slipface {
 
-// What a game keeps for a player from one step to the next. A player at rest is an exact fixed point of step(): what
-// comes out is what went in, bit for bit. So while what went in is the same, nothing that stands still changed and
-// no platform comes near, what comes out is known. It holds no state: a new one, or that of another player, costs
-// time but changes no bit.
+// What a game keeps for a player from one step to the next. A player at rest is an exact fixed point of
+// step(): what comes out is what went in, bit for bit. So while what went in is the same, nothing that stands
+// still changed and no platform comes near, what comes out is known. It holds no state: a new one, or that of
+// another player, costs time but changes no bit.
 //
 // A game that writes into the heights of a terrain or into a table of surface types without
 // apply_surface_rules() starts with a new Rest{}; changes of the collision world are noticed.
 class Rest {
   public:
     // The result of the step, if it is known.
-    const StepResult* find(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
-                           const PlayerInput& input, double dt) const;
+    const StepResult* find(const MovementScene& scene, const MovementSettings& settings,
+                           const PlayerState& state, const PlayerInput& input, double dt) const;
     // Notes the result of such a step. `looked`: what of the scene it depends on.
     void note(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
               const PlayerInput& input, double dt, const Aabb& looked, const StepResult& result);
