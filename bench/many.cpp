@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -11,7 +12,6 @@
 
 #include "bench_scenes.h"
 #include "slipface/base/parallel.h"
-#include "slipface/level/level_scene.h"
 #include "slipface/movement/crowd.h"
 #include "timing.h"
 
@@ -302,77 +302,116 @@ void single() {
 
 // ---- platforms
 
-void platforms() {
-    const ThreadLimit one_thread(1);
-    const MovementSettings settings;
-    const CollisionWorld world = ground(200, 4).world();
-    scenes::Soup box = ground(4, 4);
-    auto made = CollisionWorld::build_movable(box.view());
-    if (!made) return;
-    const CollisionWorld rest = std::move(*made);
+// Far from the origin, each on its way.
+struct Fleet {
+    CollisionWorld rest;
     std::vector<MovingPart> parts;
     std::vector<Aabb> rooms;
-    for (int i = 0; i < 2000; ++i) {
-        MovingPart part;
-        part.rest = &rest;
-        part.begin.offset = Vec3(2000 + 10.0 * (i % 50), 5, 2000 + 10.0 * (i / 50));
-        part.end = part.begin;
-        part.end.offset.x() += 0.1;
-        part.velocity = Vec3(6, 0, 0);
-        parts.push_back(part);
-        rooms.push_back(room_of(part));
-    }
     PlatformTree tree;
-    tree.build(rooms);
-    tree.refit(rooms);
-    MovementScene without = scene_of(world), with = without, listed = without;
-    with.platforms = listed.platforms = parts;
-    with.tree = &tree;
-    std::vector<double> ratios, unlisted, refits;
-    for (int round = 0; round < 41; ++round) {
-        const auto time = [&](const MovementScene& scene) {
-            PlayerState state = member(settings, {100, 0, 100}).state;
-            const double begin = seconds();
-            for (int i = 0; i < 600; ++i)
-                state = step(scene, settings, state,
-                             {.wish = i % 120 < 60 ? Vec2(0.6, 0.8) : Vec2(-0.6, -0.8)}, dt)
-                            .state;
-            return seconds() - begin;
-        };
-        const double plain = time(without);
-        ratios.push_back(time(with) / plain);
-        if (round < 5) unlisted.push_back(time(listed) / plain);
+
+    explicit Fleet(std::size_t count) {
+        scenes::Soup box = ground(4, 4);
+        if (auto made = CollisionWorld::build_movable(box.view())) rest = std::move(*made);
+        for (std::size_t i = 0; i < count; ++i) {
+            MovingPart part;
+            part.rest = &rest;
+            part.begin.offset =
+                Vec3(2000 + 10.0 * static_cast<double>(i % 50), 5, 2000 + 10.0 * static_cast<double>(i / 50));
+            part.end = part.begin;
+            part.end.offset.x() += 0.1;
+            part.velocity = Vec3(6, 0, 0);
+            parts.push_back(part);
+            rooms.push_back(room_of(part));
+        }
+        tree.build(rooms);
+        tree.refit(rooms);
+    }
+    double move_ms() {
         const double begin = seconds();
         for (std::size_t i = 0; i < parts.size(); ++i)
             rooms[i] = room_of(parts[i]);
         tree.refit(rooms);
-        refits.push_back(1e3 * (seconds() - begin));
+        return 1e3 * (seconds() - begin);
     }
-    fmt::print(
-        "2000 platforms far away: a step takes {:.3f} times as long, {:.1f} times without a tree; new rooms "
-        "{:.3f} ms a tick\n",
-        median(ratios), median(unlisted), median(refits));
+};
+
+double walk_s(const MovementScene& scene, int ticks) {
+    const MovementSettings settings;
+    PlayerState state = member(settings, {100, 0, 100}).state;
+    const double begin = seconds();
+    for (int i = 0; i < ticks; ++i) {
+        const Vec2 wish = i % 120 < 60 ? Vec2(0.6, 0.8) : Vec2(-0.6, -0.8);
+        state = step(scene, settings, state, {.wish = wish}, dt).state;
+    }
+    return seconds() - begin;
 }
 
-// ---- growth
+void platforms() {
+    const ThreadLimit one_thread(1);
+    const CollisionWorld world = ground(200, 4).world();
+    Fleet fleet(2000);
+    MovementScene without = scene_of(world), with = without, listed = without;
+    with.platforms = listed.platforms = fleet.parts;
+    with.tree = &fleet.tree;
+    std::vector<double> ratios, unlisted, moves;
+    for (int round = 0; round < 41; ++round) {
+        const double plain = walk_s(without, 600);
+        ratios.push_back(walk_s(with, 600) / plain);
+        if (round < 5) unlisted.push_back(walk_s(listed, 600) / plain);
+        moves.push_back(fleet.move_ms());
+    }
+    fmt::print(
+        "2000 platforms far away: a step takes {:.3f} times as long, {:.1f} times without a tree; moving "
+        "them {:.3f} "
+        "ms a tick\n",
+        median(ratios), median(unlisted), median(moves));
+}
 
-double exponent(double small, double large, double decades) {
-    return std::log10(large / small) / decades;
+// ---- growth, over two decades
+
+void print_growth(const char* what, const std::array<double, 3>& ms) {
+    fmt::print("{}: {:.4f} / {:.4f} / {:.4f} ms, exponents {:.2f} and {:.2f}\n", what, ms[0], ms[1], ms[2],
+               std::log10(ms[1] / ms[0]), std::log10(ms[2] / ms[1]));
 }
 
 void growth() {
     const ThreadLimit one_thread(1);
     const MovementSettings settings;
-    const CollisionWorld world = ground(400, 4).world();
+    const CollisionWorld world = ground(1000, 4).world();
     const MovementScene scene = scene_of(world);
-    std::vector<double> times;
-    for (const std::size_t count : {100UL, 1000UL, 10000UL}) {
-        Crowd crowd = market(settings, count);
-        times.push_back(frames_of(count > 1000 ? 30 : 100, [&] { step_crowd(scene, crowd, dt); }).median_ms);
+    std::array<double, 3> crowds{}, waiting{}, ticks{}, fleets{};
+    std::size_t count = 100;
+    for (std::size_t i = 0; i < 3; ++i, count *= 10) {
+        // Groups of a hundred, so that as many meet in each.
+        Crowd crowd;
+        for (std::size_t group = 0; group < count / 100; ++group)
+            for (CrowdMember each : market(settings, 100)) {
+                each.state.position +=
+                    Vec3(60.0 * static_cast<double>(group % 10), 0, 60.0 * static_cast<double>(group / 10));
+                crowd.push_back(each);
+            }
+        crowds[i] = frames_of(count > 1000 ? 30 : 100, [&] { step_crowd(scene, crowd, dt); }).median_ms;
+        std::vector<Rest> rests(count);
+        for (std::size_t k = 0; k < count; ++k) {
+            crowd[k].input = {};
+            crowd[k].rest = &rests[k];
+        }
+        for (int frame = 0; frame < 60; ++frame)
+            step_crowd(scene, crowd, dt);
+        waiting[i] = frames_of(30, [&] { step_crowd(scene, crowd, dt); }).median_ms;
+        std::vector<double> walks, moves;
+        Fleet fleet(count / 5);
+        for (int round = 0; round < 9; ++round) {
+            walks.push_back(1e3 * walk_s(scene, static_cast<int>(count)));
+            moves.push_back(fleet.move_ms());
+        }
+        ticks[i] = median(walks);
+        fleets[i] = median(moves);
     }
-    fmt::print("characters, 100 / 1000 / 10,000: {:.3f} / {:.3f} / {:.3f} ms, exponents {:.2f} and {:.2f}\n",
-               times[0], times[1], times[2], exponent(times[0], times[1], 1),
-               exponent(times[1], times[2], 1));
+    print_growth("characters that meet, 100 / 1000 / 10,000", crowds);
+    print_growth("the same at rest", waiting);
+    print_growth("ticks of one character, 100 / 1000 / 10,000", ticks);
+    print_growth("platforms, 20 / 200 / 2000", fleets);
 }
 
 int run(int count, char** names) {
