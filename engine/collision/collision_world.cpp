@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <new>
 
 #include "impl.h"
 #include "instance_list.h"
 #include "queries/sphere_triangle.h"
+#include "slipface/collision/revision.h"
 
 namespace slipface {
 namespace {
@@ -98,6 +100,15 @@ std::optional<std::size_t> find_face(const CollisionWorld::Impl& impl, FaceId fa
 
 }  // namespace
 
+std::uint64_t next_revision() {
+    static std::atomic<std::uint64_t> latest = 0;
+    return ++latest;
+}
+
+std::uint64_t revision(const CollisionWorld& world) {
+    return world.impl().revision;
+}
+
 CollisionWorld::CollisionWorld() : impl_(std::make_unique<Impl>()) {}
 CollisionWorld::~CollisionWorld() = default;
 CollisionWorld::CollisionWorld(CollisionWorld&& other) noexcept = default;
@@ -140,6 +151,7 @@ Result<CollisionWorld> CollisionWorld::build(const TriangleSoup& soup, std::span
 }
 
 Status CollisionWorld::set_instances(std::span<const Instance> instances) {
+    impl_->revision = next_revision();
     try {
         if (Status status = replace_instances(*impl_, instances); !status) return status;
     } catch (const std::bad_alloc&) {
@@ -154,6 +166,7 @@ Status CollisionWorld::set_instances(std::span<const Instance> instances) {
 
 Status CollisionWorld::move_triangles(std::span<const TriangleId> triangles,
                                       std::span<const std::array<Vec3f, 3>> corners) {
+    impl_->revision = next_revision();
     if (triangles.size() != corners.size()) {
         return Error{"moved triangles", std::to_string(corners.size()) + " triples of corners for " +
                                             std::to_string(triangles.size()) +
@@ -178,6 +191,7 @@ Status CollisionWorld::move_triangles(std::span<const TriangleId> triangles,
 }
 
 void CollisionWorld::set_face_surface(FaceId face, SurfaceId surface) {
+    impl_->revision = next_revision();
     if (const auto index = find_face(*impl_, face))
         impl_->surfaces[*index] = surface;
     else
@@ -185,6 +199,7 @@ void CollisionWorld::set_face_surface(FaceId face, SurfaceId surface) {
 }
 
 void CollisionWorld::set_face_surfaces(std::span<const SurfaceId> surfaces) {
+    impl_->revision = next_revision();
     const std::size_t first_placed =
         impl_->placed.empty() ? surfaces.size() : std::size_t{impl_->placed.front().first_face};
     const std::size_t count = std::min(surfaces.size(), first_placed);
@@ -202,6 +217,7 @@ SurfaceId CollisionWorld::face_surface(FaceId face) const {
 }
 
 void CollisionWorld::set_surface_rule(SurfaceId surface, SurfaceRule rule) {
+    impl_->revision = next_revision();
     impl_->rules[surface] = rule;
     impl_->plain = std::all_of(impl_->rules.begin(), impl_->rules.end(),
                                [](const SurfaceRule& any) { return any.solid && !any.one_sided; });

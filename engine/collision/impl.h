@@ -26,7 +26,10 @@ struct PlacedMesh {
     std::array<Vec3f, 2> box;  // of the placed corners
 };
 
+std::uint64_t next_revision();
+
 struct CollisionWorld::Impl {
+    std::uint64_t revision = next_revision();
     detail::Bvh bvh;                     // of the soup
     std::vector<FaceId> faces;           // of the soup, ascending, each once; empty if they are 0, 1, 2...
     detail::TriangleFaces face_index;    // [triangle] index into faces

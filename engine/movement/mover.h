@@ -142,6 +142,7 @@ struct Scratch {
     int contacts = 0;
     bool ends_free = false;    // as began_free; false: unknown
     bool end_is_free = false;  // by the last check: but for one-sided faces
+    Aabb* looked = nullptr;    // grows by all places where a platform is looked for; may be null
 };
 
 // What a pass of collide and slide met.
@@ -296,6 +297,10 @@ template <class Visit>
 void each_platform(const Mover& mover, const Vec3& from, const Vec3& move, Visit&& visit) {
     const MovementScene& scene = mover.scene;
     if (scene.platforms.empty()) return;
+    if (mover.looked != nullptr) {
+        mover.looked->add(from);
+        mover.looked->add(from + move);
+    }
     const NearPlatforms& near = mover.around.platforms;
     const auto holds = [&](const Vec3& point) {
         return (point.array() >= near.room.min.array()).all() &&

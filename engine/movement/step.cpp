@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "mover.h"
+#include "slipface/movement/rest.h"
 
 namespace slipface {
 
@@ -47,10 +48,11 @@ void trace_sector(const MovementScene& scene, const PlayerState& before, const P
                               .limit = 0.5 * scene.sectors.size});
 }
 
-// With the body that the settings have.
+// With the body that the settings have. `looked`: the box of all places where a platform would be found; may
+// be null.
 StepResult step_with_body(const MovementScene& scene, const MovementSettings& settings,
                           const PlayerState& state, const PlayerInput& input, double dt, TraceSink* trace,
-                          StepContacts* contacts) {
+                          StepContacts* contacts, Aabb* looked = nullptr) {
     const Vec2 wish = at_most_one(input.wish);
     dt = std::min(dt, longest_hitch_s);
     const double walkable_cosine = slope_cosine(settings.max_slope);
@@ -99,6 +101,11 @@ StepResult step_with_body(const MovementScene& scene, const MovementSettings& se
                      .report = contacts},
                     around);
         mover.began_free = free;
+        mover.looked = looked;
+        if (looked != nullptr) {
+            looked->add(around.platforms.room.min);
+            looked->add(around.platforms.room.max);
+        }
         move_with_platforms(mover, before);
         if (part == 0 || mover.pressed) leave_geometry(mover);
         const Vec3 safe = mover.position;
@@ -139,6 +146,18 @@ StepResult step(const MovementScene& scene, const MovementSettings& settings, co
     StepResult result = step_with_body(scene, low, begin, input, dt, trace, contacts);
     result.state.crouched = true;
     result.state.wants_to_stand = begin.wants_to_stand;
+    return result;
+}
+
+StepResult step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
+                const PlayerInput& input, double dt, Rest& rest) {
+    // Whether there is room to stand up is looked for elsewhere.
+    if (settings.crouch || state.crouched) return step(scene, settings, state, input, dt);
+    if (const StepResult* const known = rest.find(scene, settings, state, input, dt)) return *known;
+    if (!usable(settings) || !usable(state, input, dt)) return {.state = state};
+    Aabb looked;
+    StepResult result = step_with_body(scene, settings, state, input, dt, nullptr, nullptr, &looked);
+    rest.note(scene, settings, state, input, dt, looked, result);
     return result;
 }
 

@@ -323,11 +323,12 @@ PlayerState stepped(World& world, const PlayerState& player, const MovementSetti
     return next;
 }
 
-std::vector<PlayerState> crowd_stepped(World& world, const std::vector<PlayerState>& players,
-                                       const std::vector<MovementSettings>& settings,
-                                       const std::vector<std::array<double, 2>>& wishes,
-                                       const std::vector<bool>& jumps, double dt,
-                                       const std::vector<std::vector<std::string>>& buttons) {
+template <void (*Step)(const MovementScene&, std::span<CrowdMember>, double)>
+std::vector<PlayerState> members_stepped(World& world, const std::vector<PlayerState>& players,
+                                         const std::vector<MovementSettings>& settings,
+                                         const std::vector<std::array<double, 2>>& wishes,
+                                         const std::vector<bool>& jumps, double dt,
+                                         const std::vector<std::vector<std::string>>& buttons) {
     if (!(dt >= 1e-4) || !std::isfinite(dt)) throw py::value_error("dt: expected 1e-4 or more");
     for (const std::size_t size :
          {settings.size(), wishes.size(), jumps.empty() ? players.size() : jumps.size(),
@@ -348,7 +349,7 @@ std::vector<PlayerState> crowd_stepped(World& world, const std::vector<PlayerSta
     {
         const std::shared_lock lock(world.in_use);
         const py::gil_scoped_release others;
-        step_crowd(now, crowd, dt);
+        Step(now, crowd, dt);
     }
     std::vector<PlayerState> next;
     for (const CrowdMember& member : crowd)
@@ -512,9 +513,13 @@ void add_world(py::module_& module) {
              "The player dt seconds later. wish: (x, z), a fraction of the walking speed. trace: a list, to "
              "which "
              "what happened is appended. buttons: names of those that are held besides jump")
+        .def("step_many", &members_stepped<step_many>, py::arg("players"), py::arg("settings"),
+             py::arg("wishes"), py::arg("jumps") = std::vector<bool>{}, py::arg("dt") = 1.0 / 60.0,
+             py::arg("buttons") = std::vector<std::vector<std::string>>{},
+             "The players dt seconds later; they pass through each other. Lists of one length")
         .def(
-            "step_crowd", &crowd_stepped, py::arg("players"), py::arg("settings"), py::arg("wishes"),
-            py::arg("jumps") = std::vector<bool>{}, py::arg("dt") = 1.0 / 60.0,
+            "step_crowd", &members_stepped<step_crowd>, py::arg("players"), py::arg("settings"),
+            py::arg("wishes"), py::arg("jumps") = std::vector<bool>{}, py::arg("dt") = 1.0 / 60.0,
             py::arg("buttons") = std::vector<std::vector<std::string>>{},
             "The players dt seconds later; they push each other and stand on each other. Lists of one length")
         .def(

@@ -39,10 +39,11 @@ void GeometricManager::on_tick(double seconds) {
     crowd_.clear();
     for (Character* character : characters_) {
         if (character->meets_others)
-            crowd_.push_back({&character->settings, character->state, character->input});
+            crowd_.push_back({&character->settings, character->state, character->input, &character->rest_});
         else
-            character->state =
-                step(scene, character->settings, character->state, character->input, seconds).state;
+            character->state = step(scene, character->settings, character->state, character->input, seconds,
+                                    character->rest_)
+                                   .state;
     }
     step_crowd(scene, crowd_, seconds);
     auto moved = crowd_.begin();

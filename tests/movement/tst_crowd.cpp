@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "slipface/base/parallel.h"
 #include "slipface/movement/crowd.h"
 #include "test_geometry.h"
 
@@ -207,6 +208,89 @@ TEST(Crowd, BodiesOfAnySizeStayOutsideOfEverythingInAnyOrder) {
         }
         EXPECT_GT(closest(crowd), 0.8);
     }
+}
+
+// However large and wherever they are, and also beside one of another size.
+TEST(Crowd, EveryTwoThatMeetAreTakenApart) {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        Lab lab;
+        lab.floor(-1e6);
+        lab.ready();
+        std::vector<MovementSettings> settings(400);
+        Crowd crowd;
+        for (std::size_t i = 0; i < settings.size(); ++i) {
+            const double radius = std::pow(10.0, random.between(-1.5, 1.0));
+            settings[i].radii = {radius, radius * random.between(1, 2.5), radius};
+            settings[i].skin = 1e-3 * radius;
+            Vec3 place(60.0 * static_cast<double>(i / 2 % 10), 90.0 * static_cast<double>(i / 20 % 5),
+                       60.0 * static_cast<double>(i / 100) + 1e4 * static_cast<double>(seed));
+            if (i % 2 == 1) {
+                const Vec3 sum = settings[i - 1].radii + settings[i].radii;
+                const Vec3 out(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+                place = crowd.back().state.position +
+                        0.9 * random.between(0.1, 1) * out.normalized().cwiseProduct(sum);
+            }
+            crowd.push_back({&settings[i], at(place), {}});
+        }
+        run(lab, crowd, 1);
+        for (std::size_t i = 0; i < crowd.size(); i += 2)
+            EXPECT_GE(distance(crowd[i], crowd[i + 1]), 1.0 - 1e-9) << i;
+    }
+}
+
+TEST(Crowd, APileComesApartToAllSides) {
+    Yard yard;
+    Crowd crowd(80, yard.member(0));
+    run(yard, crowd, 300);
+    Aabb box;
+    for (const CrowdMember& member : crowd) {
+        box.add(member.state.position);
+        EXPECT_NEAR(member.state.position.y(), yard.standing, 1e-6);
+    }
+    EXPECT_GT(closest(crowd), 0.98);
+    EXPECT_LT(box.size().x(), 2.0 * box.size().z());
+    EXPECT_LT(box.size().z(), 2.0 * box.size().x());
+}
+
+TEST(Crowd, ThreadsAndTheOrderOfMembersChangeNoBit) {
+    Yard yard;
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+        Random random(seed);
+        Crowd crowd;
+        std::vector<Rest> rests(400);
+        for (int i = 0; i < 400; ++i) {
+            crowd.push_back(yard.member(-45 + 0.7 * (i % 20) + random.between(-0.05, 0.05),
+                                        0.7 * (i / 20) + random.between(-0.05, 0.05)));
+            if (random.below(2) == 0) crowd.back().input = wish(random.between(-1, 1), random.between(-1, 1));
+        }
+        Crowd other(crowd.rbegin(), crowd.rend());
+        for (std::size_t i = 0; i < crowd.size(); ++i)
+            crowd[i].rest = &rests[i];
+        for (int i = 0; i < 60; ++i) {
+            {
+                const ThreadLimit threads(4);
+                step_crowd(yard.scene(), crowd, tick);
+            }
+            const ThreadLimit threads(1);
+            step_crowd(yard.scene(), other, tick);
+            for (std::size_t k = 0; k < crowd.size(); ++k)
+                ASSERT_EQ(crowd[k].state, other[crowd.size() - 1 - k].state) << i << ' ' << k;
+        }
+    }
+}
+
+TEST(Crowd, StepManyIsAStepOfEach) {
+    Yard yard;
+    Crowd crowd;
+    for (int i = 0; i < 100; ++i)
+        crowd.push_back(yard.member(0.01 * i, 0, wish(0.01 * i, 0.5)));
+    const Crowd before = crowd;
+    step_many(yard.scene(), crowd, tick);
+    for (std::size_t i = 0; i < crowd.size(); ++i)
+        EXPECT_EQ(crowd[i].state,
+                  step(yard.scene(), yard.settings, before[i].state, before[i].input, tick).state);
 }
 
 }  // namespace slipface::test

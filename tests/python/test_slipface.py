@@ -45,6 +45,12 @@ class Crowds(unittest.TestCase):
         self.assertEqual(world.step_crowd(players[::-1], settings, [(0, 0)] * 2)[0].position,
                          world.step_crowd(players, settings, [(0, 0)] * 2)[1].position)
 
+    def test_those_that_do_not_meet_step_alone(self):
+        world, settings = slipface.World(*SQUARE), [slipface.Settings("platformer")] * 3
+        players, wishes = [world.player((0.1 * i, 0.902, 0)) for i in range(3)], [(0, 1), (1, 0), (0, 0)]
+        self.assertEqual([player.position for player in world.step_many(players, settings, wishes)],
+                         [world.step(player, settings[0], wish).position for player, wish in zip(players, wishes)])
+
     def test_a_player_is_put_where_there_is_room(self):
         world, settings = slipface.World(*SQUARE), slipface.Settings("platformer")
         self.assertEqual(world.put_player(world.player((0, 3, 0)), settings, 1.0).position, (0, 3, 0))

@@ -23,6 +23,7 @@ class Character : public Entity {
 
   private:
     friend class GeometricManager;
+    Rest rest_;
     const GeometricManager* mover_ = nullptr;  // of its world; the last one added if there are several
 };
 
