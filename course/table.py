@@ -1,5 +1,7 @@
 """What the answers of several engines come to, by situation, and the page of it."""
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 
 from judge import judge
 
@@ -52,7 +54,8 @@ def figure_text(value):
 def page(course, answers, day):
     """The page of the table: situations by engines."""
     from situation import SITUATIONS  # the sentences
-    results = [situations_of(course, answer) for answer in answers]
+    with ProcessPoolExecutor(len(answers)) as workers:
+        results = list(workers.map(partial(situations_of, course), answers))
     names = [answer["engine"] for answer in answers]
     words = {"passed": "pass", "failed": "**fail**", "missing": "–"}
 

@@ -105,7 +105,7 @@ def walk_off(run):
     run.check("smooth", way=E, fraction=0.5, ticks=1, first=first)
 
 
-@situation("leaving/jump from a ferry", "Seen from the ferry, a jump on it lands where it began.", "https://github.com/godotengine/godot-proposals/issues/2315", needs=("moving", "jump"))
+@situation("leaving/jump from a ferry", "Seen from the ferry, a jump on it lands where it began.", "https://github.com/godotengine/godot-proposals/issues/2315", needs=("moving", "jump"), game_code=True)
 def jump_ferry(run):
     ground(run, -30, -30, 60)
     way = ramped(4.0, 0.7, 9.0, 0.7)
@@ -118,7 +118,7 @@ def jump_ferry(run):
     run.check("rise", rest=first - 3, least=1.0, most=1.9)
 
 
-@situation("leaving/jump from a lift", "From a lift going up a jump is as high as from the floor, seen from the lift.", "https://github.com/godotengine/godot-proposals/issues/2315", needs=("moving", "jump"))
+@situation("leaving/jump from a lift", "From a lift going up a jump is as high as from the floor, seen from the lift.", "https://github.com/godotengine/godot-proposals/issues/2315", needs=("moving", "jump"), game_code=True)
 def jump_lift(run):
     ground(run, -30)
     way = ramped(3.0, 0.5, 9.0, 0.5)

@@ -23,7 +23,7 @@ def thin(run, speed, rate):
     run.go(0.5)
     run.go(12 / speed + 0.4, (math.cos(angle), math.sin(angle)))
     run.check("stay", low=[None, -0.2, None], high=[5.75, 0.3, None])
-    run.check("reach", axis=[1, 0, 0], least=5.3)
+    run.check("reach", axis=[1, 0, 0], least=3.5)
 
 
 @situation("walls/leaning in", "A wall that leans over the player pushes it into the floor of careless controllers.", "https://github.com/SmartlyDressedGames/U3-SDK/issues/2676", lean=70)
@@ -37,7 +37,7 @@ def leaning(run, lean):
     run.go(0.5)
     run.go(2.5, (math.cos(angle), math.sin(angle)))
     first = run.go(0.5)
-    run.check("stay", low=[None, -0.05, None], high=[5.8, 0.6, None])
+    run.check("stay", low=[None, -0.1, None], high=[5.9, 0.6, None])
     run.check("outside")
     last = run.go(1.0, (-1.0, 0.0))
     run.check("speed", way=(-1.0, 0.0), least=3.5, most=6.4, first=first + 12, last=last - 1)
@@ -92,7 +92,7 @@ def needle(run):
     run.still.polygon((4, -0.1, z - 0.001), (4, 3, z), (4, -0.1, z + 0.001))
     run.go(0.5)
     run.go(3.0, E)
-    run.check("stay", low=[None, -0.1, -3], high=[None, 0.3, 3])
+    run.check("stay", low=[None, -0.1, -3], high=[None, 0.5, 3])
     run.check("outside")
 
 

@@ -76,13 +76,16 @@ struct SimulateOptions {
 int run_simulate(const SimulateOptions& options, std::ostream& out, std::ostream& err);
 
 struct WhyOptions {
-    TapeOptions tape;
+    TapeOptions tape;                               // without a tape if there is a run
+    std::optional<std::filesystem::path> run = {};  // of another controller (docs/recorded-runs.md)
     bool events = false;
     bool json = false;
 };
 
 // What stopped the tape's player, and what would have prevented it (slipface/sim/cures.h).
 int run_why(const WhyOptions& options, std::ostream& out, std::ostream& err);
+// The same of a run that another controller made, from its positions: options.run is there.
+int run_why_recorded(const WhyOptions& options, std::ostream& out, std::ostream& err);
 
 struct CompareOptions {
     TapeOptions tape;

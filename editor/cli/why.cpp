@@ -159,7 +159,7 @@ namespace {
 CLI::Option* add_tape_options(CLI::App& verb, TapeOptions& tape) {
     add_path(verb, "LEVEL", tape.level, "OBJ or level file")->required();
     add_set_option(verb, tape.settings);
-    return add_path(verb, "--tape", tape.tape, "Inputs, tick by tick")->required()->type_name("FILE");
+    return add_path(verb, "--tape", tape.tape, "Inputs, tick by tick")->type_name("FILE");
 }
 
 }  // namespace
@@ -167,19 +167,28 @@ CLI::Option* add_tape_options(CLI::App& verb, TapeOptions& tape) {
 void add_why_verbs(CLI::App& app, int& exit_code) {
     CLI::App* why = app.add_subcommand("why", "Report what stopped a tape's player, and what would cure it");
     auto requested = std::make_shared<WhyOptions>();
-    add_tape_options(*why, requested->tape);
+    CLI::Option* const tape = add_tape_options(*why, requested->tape);
+    auto run = std::make_shared<std::filesystem::path>();
+    add_path(*why, "--run", *run, "Positions of another controller (docs/recorded-runs.md) instead of a tape")
+        ->type_name("FILE")
+        ->excludes(tape);
     why->add_option("--preset", requested->tape.preset, "Settings instead of the level's; a name or a file")
         ->type_name("PRESET");
     why->add_flag("--events", requested->events, "List jumps, landings, slides and what else happened, too");
     why->add_flag("--json", requested->json, "Print JSON, with the events");
-    why->callback([requested, &exit_code] {
-        exit_code = guarded([&] { return run_why(*requested, std::cout, std::cerr); });
+    why->callback([requested, run, tape, &exit_code] {
+        if (!run->empty()) requested->run = *run;
+        if (!requested->run && tape->count() == 0) throw CLI::RequiredError("--tape or --run");
+        exit_code = guarded([&] {
+            return requested->run ? run_why_recorded(*requested, std::cout, std::cerr)
+                                  : run_why(*requested, std::cout, std::cerr);
+        });
     });
 
     CLI::App* compare =
         app.add_subcommand("compare", "Run a tape under several presets and compare the runs");
     auto options = std::make_shared<CompareOptions>();
-    add_tape_options(*compare, options->tape);
+    add_tape_options(*compare, options->tape)->required();
     compare->add_option("--presets", options->presets, "Names or files; default: all shipped presets")
         ->type_name("A,B")
         ->delimiter(',');

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "program/run_program.h"
 
