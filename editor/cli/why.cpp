@@ -15,10 +15,10 @@
 namespace slipface::cli {
 namespace {
 
-Result<TapeRun> complete_run(const TapeOnLevel& base, const TickScene& scene, const TapeOptions& options) {
+Result<TapeRun> complete_run(const TapeOnLevel& base, const TickScene& scene) {
     if (base.tape.tick_count() > TapeRun::max_ticks)
-        return Error{options.tape.string(), fmt::format("found {} ticks, expected at most {}",
-                                                        base.tape.tick_count(), TapeRun::max_ticks)};
+        return Error{base.source, fmt::format("found {} ticks, expected at most {}", base.tape.tick_count(),
+                                              TapeRun::max_ticks)};
     TapeRun run(std::make_shared<const Tape>(base.tape), base.settings, base.start);
     run.advance(scene, TapeRun::max_ticks);
     return run;
@@ -72,7 +72,7 @@ int run_why(const WhyOptions& options, std::ostream& out, std::ostream& err) {
     print_warnings(err, base->warnings);
     const Level& level = base->loaded->level;
     const TickScene scene(base->scene);
-    const Result<TapeRun> run = complete_run(*base, scene, options.tape);
+    const Result<TapeRun> run = complete_run(*base, scene);
     if (!run) return bad_input(err, run.error());
 
     const std::vector<Stop> stops = find_stops(scene, *run, level);
@@ -121,9 +121,8 @@ int run_compare(const CompareOptions& options, std::ostream& out, std::ostream& 
         sets.push_back({name, preset->settings});
     }
     if (base->tape.tick_count() > TapeRun::max_ticks)
-        return bad_input(
-            err, {options.tape.tape.string(), fmt::format("found {} ticks, expected at most {}",
-                                                          base->tape.tick_count(), TapeRun::max_ticks)});
+        return bad_input(err, {base->source, fmt::format("found {} ticks, expected at most {}",
+                                                         base->tape.tick_count(), TapeRun::max_ticks)});
     const std::vector<SummaryRow> rows =
         compare_settings(base->loaded->level, std::make_shared<const Tape>(base->tape), base->start, sets);
     if (options.json) {
@@ -157,9 +156,10 @@ namespace {
 
 // The options of every verb that runs a tape on a level.
 CLI::Option* add_tape_options(CLI::App& verb, TapeOptions& tape) {
-    add_path(verb, "LEVEL", tape.level, "OBJ or level file")->required();
+    add_path(verb, "LEVEL", tape.level, "OBJ or level file, or a capsule")->required();
     add_set_option(verb, tape.settings);
-    return add_path(verb, "--tape", tape.tape, "Inputs, tick by tick")->required()->type_name("FILE");
+    return add_path(verb, "--tape", tape.tape, "Inputs, tick by tick; a capsule has its own")
+        ->type_name("FILE");
 }
 
 }  // namespace
