@@ -7,6 +7,7 @@
 #include "slipface/base/text.h"
 #include "slipface/mesh/formats.h"
 #include "tools/lab/lab_actions.h"
+#include "tools/lab/run_file.h"
 #include "tools/session/exchange.h"
 
 namespace slipface {
@@ -14,14 +15,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A tape is opened in the level that is open, even if it was recorded in another.
+void open_run(Editor& editor, const fs::path& path) {
+    const bool tape = to_lower(path.extension().string()) == ".tape";
+    tape&& editor.document ? open_tape(editor, path) : open_run_file(editor, path);
+}
+
 constexpr FileKind kinds[] = {
     {FileDialogKind::open, "Open a level", "", "Path of a level; Tab completes it, ~ is the home folder",
      false, request_open},
     {FileDialogKind::save_as, "Save the level file as", ".slipface.json", "Path of a .slipface.json file",
      true, save_level_as},
-    {FileDialogKind::open_tape, "Open a tape", ".tape", "Path of a .tape file", false, open_tape},
+    {FileDialogKind::open_tape, "Open a tape or a capsule", ".tape", "Path of a .tape or a .capsule file",
+     false, open_run, "", ".capsule"},
     {FileDialogKind::open_recording, "Open a recording", ".tape", "Path of a .tape file", false, open_tape},
+    {FileDialogKind::add_tape, "Add a tape", ".tape", "Path of a .tape file", false, add_tape},
     {FileDialogKind::save_tape, "Save the tape as", ".tape", "Path of a .tape file", true, save_tape},
+    {FileDialogKind::save_capsule, "Save the run with its level as", ".capsule", "Path of a .capsule file",
+     true, save_capsule},
     {FileDialogKind::save_csv, "Export the run as CSV", ".csv", "Path of a .csv file", true, save_run_csv},
     {FileDialogKind::open_preset, "Open a preset", ".json", "Path of a preset's .json file", false,
      open_preset, "", "", ".slipface.json"},

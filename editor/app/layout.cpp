@@ -224,7 +224,7 @@ void layout(Parts& parts, ImVec2 size) {
         sizes.rail[1] ? rail_width
                       : std::round(std::min(sizes.right * scale, size.x * std::max(0.36f, widest)));
     const float low_height =
-        std::round(std::min(sizes.bottom * scale, (bottom - top) * (sizes.focus ? 0.5f : 0.375f)));
+        std::round(std::min(sizes.bottom * scale, (bottom - top) * (sizes.focus ? 0.5f : 0.4f)));
     const bool left_shown = (occupied(editor, Dock::left) || occupied(editor, Dock::left_lower)) && !walking;
     const bool right_shown = occupied(editor, Dock::right), low_shown = occupied(editor, Dock::bottom);
     const float view_left = left_shown ? left_width + gap : 0.0f;

@@ -20,6 +20,8 @@ Result<std::unique_ptr<OffscreenHost>> OffscreenHost::make(const OffscreenOption
     if (!context) return context.error();
     forget_renaming();
     forget_plots();
+    forget_input_lanes();
+    forget_input_text();
     std::unique_ptr<OffscreenHost> host(new OffscreenHost);
     host->context_ = std::move(context).value();
     host->width_ = options.width;

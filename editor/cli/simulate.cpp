@@ -39,7 +39,7 @@ Result<Run> run_tape(const SimulateOptions& options) {
     if (options.csv || options.describe) {
         TapeRun samples(std::make_shared<const Tape>(base.tape), base.settings, base.start);
         if (base.tape.tick_count() > TapeRun::max_ticks) {
-            return Error{options.tape.string(),
+            return Error{base.source,
                          fmt::format("found {} ticks, expected at most {} for --csv and --describe",
                                      base.tape.tick_count(), TapeRun::max_ticks)};
         }
@@ -137,7 +137,7 @@ int run_simulate(const SimulateOptions& options, std::ostream& out, std::ostream
         options.json ? print_report_json(*run, out) : print_report_text(*run, out);
     if (run->base.tape.end_hash && run->as_recorded && *run->base.tape.end_hash != run->report.end_hash) {
         print_error(err,
-                    {options.tape.string(),
+                    {run->base.source,
                      fmt::format("the run ends with hash {}, expected {}: it does not repeat the recording",
                                  hash_text(run->report.end_hash), hash_text(*run->base.tape.end_hash))});
         return exit_check_failed;

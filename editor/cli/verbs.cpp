@@ -94,8 +94,9 @@ void add_sweep(CLI::App& app, int& exit_code) {
 void add_simulate(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("simulate", "Run a tape of inputs through a level");
     auto options = std::make_shared<SimulateOptions>();
-    add_path(*verb, "LEVEL", options->level, level_help())->required();
-    add_path(*verb, "--tape", options->tape, "Inputs, tick by tick")->required()->type_name("FILE");
+    add_path(*verb, "LEVEL", options->level, level_help() + "; or a capsule")->required();
+    add_path(*verb, "--tape", options->tape, "Inputs, tick by tick; a capsule has its own")
+        ->type_name("FILE");
     verb->add_option("--spawn", options->spawn, "Start at this spawn of the level")->type_name("NAME");
     verb->add_option("--preset", options->preset,
                      "Settings instead of the level's and the tape's; a name or a file")
@@ -110,6 +111,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
         ->excludes(json)
         ->excludes(csv);
     verb->callback([options, &exit_code] {
+        if (options->tape.empty() && !brings_tape(options->level)) throw CLI::RequiredError("--tape");
         exit_code = guarded([&] { return run_simulate(*options, std::cout, std::cerr); });
     });
 }

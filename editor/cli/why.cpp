@@ -15,10 +15,10 @@
 namespace slipface::cli {
 namespace {
 
-Result<TapeRun> complete_run(const TapeOnLevel& base, const TickScene& scene, const TapeOptions& options) {
+Result<TapeRun> complete_run(const TapeOnLevel& base, const TickScene& scene) {
     if (base.tape.tick_count() > TapeRun::max_ticks)
-        return Error{options.tape.string(), fmt::format("found {} ticks, expected at most {}",
-                                                        base.tape.tick_count(), TapeRun::max_ticks)};
+        return Error{base.source, fmt::format("found {} ticks, expected at most {}", base.tape.tick_count(),
+                                              TapeRun::max_ticks)};
     TapeRun run(std::make_shared<const Tape>(base.tape), base.settings, base.start);
     run.advance(scene, TapeRun::max_ticks);
     return run;
@@ -72,7 +72,7 @@ int run_why(const WhyOptions& options, std::ostream& out, std::ostream& err) {
     print_warnings(err, base->warnings);
     const Level& level = base->loaded->level;
     const TickScene scene(base->scene);
-    const Result<TapeRun> run = complete_run(*base, scene, options.tape);
+    const Result<TapeRun> run = complete_run(*base, scene);
     if (!run) return bad_input(err, run.error());
 
     const std::vector<Stop> stops = find_stops(scene, *run, level);
@@ -121,9 +121,8 @@ int run_compare(const CompareOptions& options, std::ostream& out, std::ostream& 
         sets.push_back({name, preset->settings});
     }
     if (base->tape.tick_count() > TapeRun::max_ticks)
-        return bad_input(
-            err, {options.tape.tape.string(), fmt::format("found {} ticks, expected at most {}",
-                                                          base->tape.tick_count(), TapeRun::max_ticks)});
+        return bad_input(err, {base->source, fmt::format("found {} ticks, expected at most {}",
+                                                         base->tape.tick_count(), TapeRun::max_ticks)});
     const std::vector<SummaryRow> rows =
         compare_settings(base->loaded->level, std::make_shared<const Tape>(base->tape), base->start, sets);
     if (options.json) {
@@ -157,9 +156,10 @@ namespace {
 
 // The options of every verb that runs a tape on a level.
 CLI::Option* add_tape_options(CLI::App& verb, TapeOptions& tape) {
-    add_path(verb, "LEVEL", tape.level, "OBJ or level file")->required();
+    add_path(verb, "LEVEL", tape.level, "OBJ or level file, or a capsule")->required();
     add_set_option(verb, tape.settings);
-    return add_path(verb, "--tape", tape.tape, "Inputs, tick by tick")->type_name("FILE");
+    return add_path(verb, "--tape", tape.tape, "Inputs, tick by tick; a capsule has its own")
+        ->type_name("FILE");
 }
 
 }  // namespace
@@ -176,9 +176,10 @@ void add_why_verbs(CLI::App& app, int& exit_code) {
         ->type_name("PRESET");
     why->add_flag("--events", requested->events, "List jumps, landings, slides and what else happened, too");
     why->add_flag("--json", requested->json, "Print JSON, with the events");
-    why->callback([requested, run, tape, &exit_code] {
+    why->callback([requested, run, &exit_code] {
         if (!run->empty()) requested->run = *run;
-        if (!requested->run && tape->count() == 0) throw CLI::RequiredError("--tape or --run");
+        if (!requested->run && requested->tape.tape.empty() && !brings_tape(requested->tape.level))
+            throw CLI::RequiredError("--tape or --run");
         exit_code = guarded([&] {
             return requested->run ? run_why_recorded(*requested, std::cout, std::cerr)
                                   : run_why(*requested, std::cout, std::cerr);
@@ -188,12 +189,14 @@ void add_why_verbs(CLI::App& app, int& exit_code) {
     CLI::App* compare =
         app.add_subcommand("compare", "Run a tape under several presets and compare the runs");
     auto options = std::make_shared<CompareOptions>();
-    add_tape_options(*compare, options->tape)->required();
+    add_tape_options(*compare, options->tape);
     compare->add_option("--presets", options->presets, "Names or files; default: all shipped presets")
         ->type_name("A,B")
         ->delimiter(',');
     compare->add_flag("--json", options->json, "Print JSON");
     compare->callback([options, &exit_code] {
+        if (options->tape.tape.empty() && !brings_tape(options->tape.level))
+            throw CLI::RequiredError("--tape");
         exit_code = guarded([&] { return run_compare(*options, std::cout, std::cerr); });
     });
 }

@@ -29,7 +29,7 @@ void start_row(Editor& editor) {
         property_row("Duration", "Simulated time of each walker", false);
         number_slider("Duration", &wanted.duration_s, 1, 600, "s", "Simulated time of each walker");
         ImGui::TableNextColumn();
-        property_row("Seed", "Another seed gives other paths; the same seed gives the same bits", false);
+        property_row("Seed", "Other seed: other paths. Same seed: same result", false);
         if (number_slider("Seed", &seed, 1, 1000, "", "Another seed gives other paths", true))
             wanted.seed = static_cast<int>(seed);
         ImGui::TableNextColumn();
@@ -37,8 +37,7 @@ void start_row(Editor& editor) {
     }
     ui::checkbox(
         "Start everywhere", &wanted.everywhere,
-        "Search for all that the player can reach first, and start the walkers all over it, not only "
-        "at the spawn");
+        "Start walkers everywhere the player can get");
     if (ui::button("Run audit", "Run the walkers in the background")) {
         editor.audit = AuditJob::start(*editor.document, wanted);
     }

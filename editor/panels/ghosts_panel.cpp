@@ -18,6 +18,10 @@ std::string distance_text(double metres) {
     return metres < 1.0 ? fmt::format("{:.1f} mm", metres * 1000.0) : fmt::format("{:.2f} m", metres);
 }
 
+bool is_removable(const LabRun& run) {
+    return run.kind == LabRun::Kind::pinned || run.kind == LabRun::Kind::other;
+}
+
 void settings_tooltip(const LabRun& run, const LabRun& recorded) {
     std::string text;
     for (const std::string& change : setting_changes(recorded.settings, run.settings))
@@ -43,7 +47,7 @@ void run_rows(Editor& editor) {
         ui::tooltip("Draw this run in the view and on the timeline");
         ImGui::SameLine();
         const float room =
-            ImGui::GetContentRegionAvail().x - (run.kind == LabRun::Kind::pinned ? 4.2f * em : 0.0f);
+            ImGui::GetContentRegionAvail().x - (is_removable(run) ? 4.2f * em : 0.0f);
         const ImVec2 text = ImGui::GetCursorScreenPos();
         if (ImGui::Selectable("##tell", lab.explained() == i, 0, {room, ImGui::GetFrameHeight()}))
             lab.explain(i);
@@ -51,7 +55,7 @@ void run_rows(Editor& editor) {
                      ui::palette().text, run.name);
         ui::record_last_item("Tell", true, lab.explained() == i);
         settings_tooltip(run, lab.runs().front());
-        if (run.kind == LabRun::Kind::pinned) {
+        if (is_removable(run)) {
             ImGui::SameLine();
             if (ui::icon_button(icons::check, "Use", "Use these settings in the level", false)) used = i;
             ImGui::SameLine(0, 0);
@@ -108,8 +112,8 @@ void side_by_side(Editor& editor) {
     }
     ui::muted_text(("The stories of " + tick_text(lab, lab.cursor())).c_str());
     const std::vector<StoryLine> stories[2] = {
-        describe(lab.runs()[0].run.trace(lab.scene(*editor.document), lab.cursor()), names),
-        describe(lab.runs()[other].run.trace(lab.scene(*editor.document), lab.cursor()), names)};
+        describe(lab.runs()[0].run.trace(lab.scene(*editor.document, lab.runs()[0]), lab.cursor()), names),
+        describe(lab.runs()[other].run.trace(lab.scene(*editor.document, lab.runs()[other]), lab.cursor()), names)};
     if (!ImGui::BeginTable("stories", 2, ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchSame))
         return;
     ImGui::TableNextRow();

@@ -61,7 +61,7 @@ void prop_handle_row(Editor& editor) {
         ImGui::PopStyleColor();
     }
     ui::flow(ui::button_width("Snap") + ImGui::GetFrameHeight());
-    ui::checkbox("Snap", &tool.snap, "Quarter metres, 15 degrees, tenths; Shift does the opposite");
+    ui::checkbox("Snap", &tool.snap, "Snap to 0.25 m, 15\u00b0, 0.1\u00d7. Hold Shift for free");
 }
 
 struct PropTarget {
@@ -148,7 +148,7 @@ void prop_motion_rows(const PropTarget& target) {
     Editor& editor = target.editor;
     PropMotion motion = prop_motion(editor.document->level(), target.now());
     const PropMotion before = motion;
-    property_row("Path", "It moves to there and back by itself, metres; all 0: it rests");
+    property_row("Path", "Far end of its path, from here, in metres. 0 0 0: stands still");
     ImGui::SetNextItemWidth(-1.0f);
     bool changed = ui::drag_vec3("##Path", motion.way.data(), 0.05f, "%.2f", nullptr);
     if (!motion.way.isZero(0.0)) {

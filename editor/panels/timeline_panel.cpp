@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "panels/input_lanes.h"
 #include "panels/lab_track.h"
 #include "tools/commands/icons.h"
 #include "widgets/theme.h"
@@ -144,7 +145,9 @@ void transport(Editor& editor) {
     else if (repeats && !*repeats)
         words(ui::palette().bad, "Does not repeat the recording");
     else if (repeats)
-        words(ui::palette().good, "Repeats");
+        words(ui::palette().good, "Replays exactly");
+    else if (lab.edited())
+        words(ui::palette().muted, "Inputs changed");
     ui::tooltip("Whether the run ends with the same bits as when it was recorded");
 }
 
@@ -234,6 +237,29 @@ void event_tooltip(const TapeRun& run, const Lab& lab, const LabTrack& track) {
     ui::tooltip(text.c_str());
 }
 
+// Names on the left; a click selects the run for the story.
+void run_names(Lab& lab, const std::vector<std::size_t>& shown, ImVec2 left, float y) {
+    const float scale = ui::scale();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ui::Scope scope("Runs");
+    for (const std::size_t index : shown) {
+        ImGui::SetCursorScreenPos({left.x, y});
+        const LabRun& run = lab.runs()[index];
+        ImGui::PushID(static_cast<int>(index));
+        if (ImGui::InvisibleButton("lane", {(name_width - 8) * scale, lane_height * scale}))
+            lab.explain(index);
+        ui::record_last_item(run.name, true, lab.explained() == index);
+        ui::tooltip((run.name + "\nClick to show this run's story").c_str());
+        ImGui::PopID();
+        const float middle = y + 0.5f * lane_height * scale;
+        list.AddCircleFilled({left.x + 5 * scale, middle}, 4 * scale, ui::packed(run_color(index)), 16);
+        ui::ellipsis({left.x + 14 * scale, middle - 0.5f * ImGui::GetTextLineHeight()},
+                     left.x + (name_width - 6) * scale,
+                     lab.explained() == index ? ui::palette().text : ui::palette().muted, run.name);
+        y += (lane_height + 3) * scale;
+    }
+}
+
 void tracks(Editor& editor) {
     Lab& lab = editor.lab;
     const float scale = ui::scale();
@@ -280,29 +306,16 @@ void tracks(Editor& editor) {
         draw_marker(list, *marker, {x, min.y + 0.5f * marker_height * scale}, r);
     }
     ruler(list, lab, track, max.y + scale);
-    draw_lab_cursor(editor, track);
     list.PopClipRect();
 
-    // Names on the left; a click selects the run for the story.
-    const ui::Scope scope("Runs");
-    y = min.y + marker_height * scale;
-    for (const std::size_t index : shown) {
-        ImGui::SetCursorScreenPos({origin.x, y});
-        const LabRun& run = lab.runs()[index];
-        ImGui::PushID(static_cast<int>(index));
-        if (ImGui::InvisibleButton("lane", {(name_width - 8) * scale, lane_height * scale}))
-            lab.explain(index);
-        ui::record_last_item(run.name, true, lab.explained() == index);
-        ui::tooltip((run.name + "\nClick to show this run's story").c_str());
-        ImGui::PopID();
-        const float middle = y + 0.5f * lane_height * scale;
-        list.AddCircleFilled({origin.x + 5 * scale, middle}, 4 * scale, ui::packed(run_color(index)), 16);
-        ui::ellipsis({origin.x + 14 * scale, middle - 0.5f * ImGui::GetTextLineHeight()},
-                     origin.x + (name_width - 6) * scale,
-                     lab.explained() == index ? ui::palette().text : ui::palette().muted, run.name);
-        y += (lane_height + 3) * scale;
-    }
-    ImGui::SetCursorScreenPos({origin.x, max.y + ruler_height * scale});
+    run_names(lab, shown, origin, min.y + marker_height * scale);
+    const float inputs = max.y + (ruler_height + 3) * scale;
+    const float end = inputs + input_lanes_height(lab);
+    input_lanes(editor, track, origin.x, inputs);
+    list.PushClipRect({min.x, min.y - 2}, {max.x, end}, true);
+    draw_lab_cursor(editor, lab_track(lab, min, {max.x, end}));
+    list.PopClipRect();
+    ImGui::SetCursorScreenPos({origin.x, end});
     ImGui::Dummy({1, 1});
 }
 

@@ -83,46 +83,59 @@ bool moment(std::size_t row, double time_s, const std::string& text, bool here) 
     return clicked;
 }
 
+// A list that stays short: beyond a few rows it scrolls by itself, and the row at the cursor is in view. The
+// index of the row that was clicked.
+template <class Moments, class Text>
+std::optional<std::size_t> moments(const char* name, const Lab& lab, const Moments& rows, const Text& text) {
+    constexpr std::size_t most = 6;
+    const ui::Scope scope(name);
+    const std::size_t cursor = lab.cursor();
+    const bool scrolls = rows.size() > most;
+    if (scrolls) {
+        const float height = 1.6f * static_cast<float>(most) * ImGui::GetTextLineHeightWithSpacing();
+        ImGui::BeginChild(name, {0, height}, false, ImGuiWindowFlags_NoSavedSettings);
+    }
+    int& shown = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID(name), -1);
+    std::optional<std::size_t> clicked;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool here = cursor >= rows[i].first && cursor <= rows[i].last;
+        if (moment(i, static_cast<double>(rows[i].first) * lab.tape().dt, text(rows[i]), here)) clicked = i;
+        if (scrolls && here && shown != static_cast<int>(cursor)) ImGui::SetScrollHereY(0.3f);
+    }
+    shown = static_cast<int>(cursor);
+    if (scrolls) ImGui::EndChild();
+    return clicked;
+}
+
 // All stops of the run; a click goes there.
-void stops_list(Editor& editor, const std::vector<Stop>& stops, double dt) {
+void stops_list(Editor& editor, const std::vector<Stop>& stops) {
     ui::heading(fmt::format("Stops in this run ({})", stops.size()).c_str());
     if (stops.empty()) {
         ui::muted_text("Nothing stopped the player");
         return;
     }
-    const ui::Scope scope("Stops");
-    const std::size_t cursor = editor.lab.cursor();
-    std::optional<std::size_t> clicked;
-    for (std::size_t i = 0; i < stops.size(); ++i) {
-        const bool here = cursor >= stops[i].first && cursor <= stops[i].last;
-        if (moment(i, static_cast<double>(stops[i].first) * dt, stops[i].headline, here)) clicked = i;
-    }
+    const auto clicked = moments("Stops", editor.lab, stops, [](const Stop& stop) { return stop.headline; });
     if (clicked) go_to_stop(editor, stops[*clicked]);
 }
 
 // What else happened; a click goes there.
-void events_list(Editor& editor, double dt) {
+void events_list(Editor& editor) {
     const std::vector<RunEvent>& events = editor.lab.events(*editor.document);
     if (events.empty()) return;
     ui::heading(fmt::format("What else happened ({})", events.size()).c_str());
-    const ui::Scope scope("Events");
-    const std::size_t cursor = editor.lab.cursor();
-    std::optional<std::size_t> clicked;
-    for (std::size_t i = 0; i < events.size(); ++i) {
-        const bool here = cursor >= events[i].first && cursor <= events[i].last;
-        if (moment(i, static_cast<double>(events[i].first) * dt, events[i].text, here))
-            clicked = events[i].first;
-    }
+    const auto clicked =
+        moments("Events", editor.lab, events, [](const RunEvent& event) { return event.text; });
     if (!clicked) return;
     editor.lab.motion = LabMotion::paused;
-    editor.lab.seek(*clicked);
+    editor.lab.seek(events[*clicked].first);
 }
 
 // What each rule did to the velocity in this tick, as bars of one scale.
 void velocity_bars(const TickTrace& trace, const StoryNames& names) {
     const std::vector<VelocityChange> changes = velocity_changes(trace, names);
     const ui::Palette& p = ui::palette();
-    const double before = trace.before.velocity.norm(), after = trace.after.stepped.velocity.norm();
+    const double before = motion_velocity(trace.before).norm(),
+                 after = motion_velocity(trace.after.stepped).norm();
     ui::heading(fmt::format("Velocity: {:.2f} to {:.2f} m/s", before, after).c_str());
     double most = 1e-3;
     for (const VelocityChange& change : changes)
@@ -312,7 +325,7 @@ void why_panel(Editor& editor) {
     const std::vector<Stop> stops = lab.stops(document);
     const Stop* stop = stop_at_cursor(editor);
     headline(editor, stop);
-    stops_list(editor, stops, run.run.dt());
+    stops_list(editor, stops);
     stop = stop_at_cursor(editor);
     if (stop == nullptr) {
         switches(editor);
@@ -329,7 +342,7 @@ void why_panel(Editor& editor) {
     }
     if (ui::button("Copy story", "Put these lines on the clipboard")) run_command(editor, "lab.copy_story");
     velocity_bars(trace, document.level());
-    events_list(editor, run.run.dt());
+    events_list(editor);
 }
 
 }  // namespace slipface

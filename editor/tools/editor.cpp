@@ -10,6 +10,7 @@
 #include "slipface/level/find_start.h"
 #include "tools/commands/commands.h"
 #include "tools/lab/lab_actions.h"
+#include "tools/lab/run_file.h"
 #include "tools/target.h"
 
 namespace slipface {
@@ -52,6 +53,7 @@ void open_level(Editor& editor, const std::filesystem::path& path) {
     }
     adopt_document(editor, std::move(opened).value(), path);
     restore_tape(editor);
+    open_awaited_run(editor);
     offer_recovery(editor);
 }
 
@@ -109,6 +111,7 @@ void do_next(Editor& editor, const UnsavedDialog& next) {
         case UnsavedDialog::Then::open: start_loading(editor, next.open_path); break;
         case UnsavedDialog::Then::quit:
             stop_playtest(editor);  // which keeps its recording
+            keep_edited_tape(editor);
             editor.quit = true;
             break;
         case UnsavedDialog::Then::demo: show_demo(editor, *next.demo); break;
@@ -127,6 +130,7 @@ void leave_document(Editor& editor, const UnsavedDialog& next) {
 }
 
 void request_open(Editor& editor, const std::filesystem::path& path) {
+    if (is_run_file(path)) return open_run_file(editor, path);
     leave_document(editor, {.then = UnsavedDialog::Then::open, .open_path = path});
 }
 

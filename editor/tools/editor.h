@@ -85,7 +85,9 @@ enum class FileDialogKind {
     save_as,
     open_tape,
     open_recording,
+    add_tape,
     save_tape,
+    save_capsule,
     save_csv,
     open_preset,
     save_preset,
@@ -99,6 +101,17 @@ struct StoredTape {
     std::filesystem::path level;  // its geometry
     Tape tape;
     std::string name;
+};
+
+// A run to be opened as soon as its level is.
+struct AwaitedRun {
+    Tape tape;
+    std::string name;
+    std::filesystem::path file = {};  // of a tape; empty: the run is in no file of its own
+    std::size_t tick = 0;
+    std::string note = {};
+    bool from_capsule = false;
+    std::filesystem::path level = {};  // its geometry
 };
 
 struct Review;
@@ -142,11 +155,13 @@ struct Editor {
 
     Probe probe;
     PropTool props;
-    std::optional<Playtest> playtest;       // walking while set
-    bool began_in_view = true;              // the walk: its start was seen in the view before
-    Lab lab;                                // the tape, and its runs under other settings
-    CureJob cures;                          // of the stop at the lab's cursor
-    std::vector<StoredTape> stored_tapes;   // newest last; each returns when its level is opened
+    std::optional<Playtest> playtest;      // walking while set
+    bool began_in_view = true;             // the walk: its start was seen in the view before
+    Lab lab;                               // the tape, and its runs under other settings
+    CureJob cures;                         // of the stop at the lab's cursor
+    std::vector<StoredTape> stored_tapes;  // newest last; each returns when its level is opened
+    std::optional<AwaitedRun> awaited_run;
+    std::optional<StoredTape> walked_on;    // the run that the playtest goes on from, which stays as a ghost
     std::shared_ptr<class AuditJob> audit;  // of random walkers: running, or with results
     std::shared_ptr<class ReachJob> reach;  // the search for what can be reached: running, or with results
 

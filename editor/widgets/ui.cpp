@@ -212,8 +212,11 @@ bool number_slider(const char* id, double* value, double minimum, double maximum
         ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
     ImGui::PushStyleColor(ImGuiCol_SliderGrab, ImVec4(0, 0, 0, 0));
     ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, ImVec4(0, 0, 0, 0));
+    // Dragging is relative, a double click types: a press alone changes nothing.
+    const float speed =
+        static_cast<float>((maximum - minimum) / std::max(1.0, static_cast<double>(ImGui::CalcItemWidth())));
     const bool changed =
-        ImGui::SliderScalar(id, ImGuiDataType_Double, value, &minimum, &maximum, format, flags);
+        ImGui::DragScalar(id, ImGuiDataType_Double, value, speed, &minimum, &maximum, format, flags);
     ImGui::PopStyleColor(2);
     const bool active = ImGui::IsItemActive();
     if (!ImGui::IsItemVisible() || ImGui::TempInputIsActive(ImGui::GetItemID())) return changed;
@@ -306,6 +309,13 @@ bool combo(const char* label, int* index, const char* const* names, int count, c
 bool input_text(const char* label, std::string* text, const char* hint) {
     const std::string id = begin_row(label);
     const bool changed = ImGui::InputTextWithHint(id.c_str(), hint ? hint : "", text);
+    record_last_item(label);
+    mark_as_text_box();
+    return changed;
+}
+
+bool input_lines(const char* label, std::string* text, ImVec2 size) {
+    const bool changed = ImGui::InputTextMultiline(label, text, size);
     record_last_item(label);
     mark_as_text_box();
     return changed;

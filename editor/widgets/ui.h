@@ -72,6 +72,8 @@ bool drag_vec3(const char* label, double* xyz, float speed, const char* format,
                const char* tooltip = nullptr);
 bool combo(const char* label, int* index, const char* const* names, int count, const char* tooltip = nullptr);
 bool input_text(const char* label, std::string* text, const char* hint = nullptr);
+// Several lines, with Tab for the next widget.
+bool input_lines(const char* label, std::string* text, ImVec2 size);
 // A line that searches the window or panel around it. In a window of its own it has the keyboard from the
 // window's first frame on, and nothing that is typed before is lost.
 bool search_box(const char* label, std::string* text, const char* hint);

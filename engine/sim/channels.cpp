@@ -28,14 +28,14 @@ constexpr RunChannel channels[] = {
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).position.y(); }},
     {"z", "", "m", "Position of the centre", false,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).position.z(); }},
-    {"vx", "", "m/s", "Velocity", false,
+    {"vx", "", "m/s", "Velocity of the state, with what presses onto the ground", false,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).velocity.x(); }},
     {"vy", "", "m/s", "Velocity", false,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).velocity.y(); }},
     {"vz", "", "m/s", "Velocity", false,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).velocity.z(); }},
-    {"speed", "Speed", "m/s", "Length of the velocity", false,
-     [](const TapeRun& run, std::size_t tick) { return at(run, tick).velocity.norm(); }},
+    {"speed", "Speed", "m/s", "Of the motion; at rest 0", false,
+     [](const TapeRun& run, std::size_t tick) { return at(run, tick).motion().norm(); }},
     {"horizontal_speed", "Horizontal speed", "m/s", "Length of the horizontal part of the velocity", false,
      [](const TapeRun& run, std::size_t tick) {
          const Vec3& v = at(run, tick).velocity;
@@ -46,12 +46,12 @@ constexpr RunChannel channels[] = {
          const TickSample& sample = at(run, tick);
          return sample.position.y() - body_radii(run.settings(), {.crouched = sample.crouched}).y();
      }},
-    {"vertical_speed", "Vertical speed", "m/s", "Upwards", false,
-     [](const TapeRun& run, std::size_t tick) { return at(run, tick).velocity.y(); }},
+    {"vertical_speed", "Vertical speed", "m/s", "Upwards; at rest 0", false,
+     [](const TapeRun& run, std::size_t tick) { return at(run, tick).motion().y(); }},
     {"energy", "Energy", "J/kg", "Kinetic energy plus potential energy above the start, per kilogram", false,
      [](const TapeRun& run, std::size_t tick) {
          const TickSample& sample = at(run, tick);
-         return 0.5 * sample.velocity.squaredNorm() +
+         return 0.5 * sample.motion().squaredNorm() +
                 gravity(run, tick) * (sample.position.y() - run.start().y());
      }},
     {"slope", "Slope", "deg", "Slope of the ground contact", false,
@@ -72,6 +72,10 @@ constexpr RunChannel channels[] = {
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).hanging ? 1.0 : 0.0; }},
     {"crouched", "", "", "1 while the body is crouched", true,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).crouched ? 1.0 : 0.0; }},
+    {"wish_x", "Stick X", "", "The stick, to +X", true,
+     [](const TapeRun& run, std::size_t tick) { return run.input_at(tick).wish.x(); }},
+    {"wish_z", "Stick Z", "", "The stick, to +Z", true,
+     [](const TapeRun& run, std::size_t tick) { return run.input_at(tick).wish.y(); }},
     {"push_outs", "", "", "How often the player was pushed out of geometry", true,
      [](const TapeRun& run, std::size_t tick) { return static_cast<double>(at(run, tick).push_outs); }},
 };
@@ -94,7 +98,7 @@ std::string run_csv(const TapeRun& run, SurfaceTable surfaces) {
     std::string csv = "tick,time_s";
     for (const RunChannel& channel : channels)
         csv += std::string(",") + channel.name;
-    csv += ",surface";
+    csv += ",buttons,surface";
     for (const SettingInfo* hack : hack_rows())
         csv += std::string(",") + hack->name;
     csv += '\n';
@@ -106,6 +110,9 @@ std::string run_csv(const TapeRun& run, SurfaceTable surfaces) {
             csv += ',';
             if (std::isfinite(value)) csv += to_text(value);
         }
+        csv += ',';
+        for (const std::string& button : button_names(run.tape(), run.input_at(tick).buttons))
+            csv += (csv.back() == ',' ? "" : " ") + button;
         const bool known = sample.ground_face != no_id && sample.surface < surfaces.size();
         csv += ',' + (known ? csv_text(surfaces[sample.surface].name) : std::string());
         for (std::size_t row = 0; row < hack_rows().size(); ++row)

@@ -8,7 +8,7 @@ namespace slipface {
 namespace {
 
 // Differences below these are of no use to a designer.
-constexpr double unseen_m = 1e-3, unseen_m_s = 0.01;
+constexpr double small_m = 1e-3, small_m_s = 0.01;
 
 bool same(const TickSample& a, const TickSample& b) {
     return a.position == b.position && a.velocity == b.velocity && a.grounded == b.grounded &&
@@ -140,8 +140,7 @@ std::vector<SwitchEffect> switch_effects(const TickScene& scene, const TapeRun& 
             const Played other = play(scene, run, tick, ticks, info, value);
             const double apart = (scene.to_level(other.end) - scene.to_level(as_is.end)).norm();
             const double faster = other.end.velocity.norm() - as_is.end.velocity.norm();
-            if (apart < unseen_m && std::abs(faster) < unseen_m_s && other.grounded == as_is.grounded)
-                continue;
+            if (apart < small_m && std::abs(faster) < small_m_s && other.grounded == as_is.grounded) continue;
             effects.push_back({.setting = choice_text(*info, value),
                                .info = info,
                                .further_m = other.advanced_m - as_is.advanced_m,

@@ -35,13 +35,19 @@ std::string object_or(const StoryNames& names, FaceId face, const char* otherwis
     return object.empty() ? otherwise : object;
 }
 
+void say_speed(Words& words, const PlayerState& state) {
+    const double speed = motion_velocity(state).norm();
+    state.grounded&& speed < 5e-4 ? words.say(", at rest") : words.say(" at ").speed(speed);
+}
+
 StoryLine begin_line(const TickTrace& trace, const StoryNames& names) {
     StoryLine line;
     line.title = "Begins";
     line.position = trace.from;
     line.face = trace.before.ground_face;
     Words words = words_of(line);
-    words.say(stance(trace.before, names)).say(" at ").speed(trace.before.velocity.norm());
+    words.say(stance(trace.before, names));
+    say_speed(words, trace.before);
     if (const auto* carried = first_of(trace, {Decision::platform_carried, Decision::surface_carried}))
         words.say(", carried by ")
             .say(object_or(names, carried->face, "the ground"))
@@ -71,7 +77,8 @@ StoryLine end_line(const TickTrace& trace, const StoryNames& names) {
     line.face = end.ground_face;
     line.normal = end.ground_face == no_id ? Vec3(Vec3::Zero()) : end.ground_normal;
     Words words = words_of(line);
-    words.say(stance(end, names)).say(" at ").speed(end.velocity.norm());
+    words.say(stance(end, names));
+    say_speed(words, end);
     words.say(", moved ").length((trace.to - trace.from).norm());
     if (trace.after.respawn == Respawn::hazard) words.say("; touched a hazard, back to the start");
     if (trace.after.respawn == Respawn::crushed) {
@@ -241,7 +248,7 @@ class StoryWriter {
             case Rule::slide: return "Slid along it";
             case Rule::bounce: return "Bounced off it";
             case Rule::straight_ahead: return "Continued straight ahead on it";
-            case Rule::keep_energy: return "Deflected along it without loss of speed";
+            case Rule::keep_energy: return "Turned along it at full speed";
             case Rule::stick: return "Stuck to it";
             case Rule::crease: return "Slid along the crease of two faces";
             // What is left after a landing is walked.

@@ -5,16 +5,22 @@
 #include "slipface/base/files.h"
 #include "slipface/sim/channels.h"
 #include "slipface/sim/simulate.h"
+#include "slipface/sim/tape_edit.h"
 #include "tools/commands/commands.h"
 #include "tools/lab/audit_job.h"
 #include "tools/lab/lab_actions.h"
 #include "tools/lab/link.h"
+#include "tools/lab/run_file.h"
 #include "tools/lab/run_link.h"
 
 namespace slipface {
 namespace {
 
 using testing::HasSubstr;
+
+bool is_inside_folder(const std::filesystem::path& file, const std::filesystem::path& folder) {
+    return !file.lexically_relative(folder).generic_string().starts_with("..");
+}
 
 class LabTest : public LevelFixture {
   protected:
@@ -154,6 +160,164 @@ TEST_F(LabTest, ATapeIsSavedAndOpenedAgainWithTheSameBits) {
     EXPECT_LT(std::filesystem::file_size(file), 1500u);
 }
 
+// Each of the shipped levels, with heights, light and textures, and one of the test's own.
+TEST_F(LabTest, ACapsuleRepeatsTheRunInAnEmptyFolder) {
+    const std::filesystem::path shipped = std::filesystem::path(SLIPFACE_SOURCE_DIR) / "assets/levels";
+    for (const std::filesystem::path& level :
+         {obj, shipped / "easy.obj", shipped / "hard.obj", shipped / "island.obj"}) {
+        SCOPED_TRACE(level.string());
+        open_level(editor, level);
+        editor.document->paint(std::array<FaceId, 3>{1, 2, 3}, SurfaceId{1});
+        set("walk_speed=5.123456789");
+        record();
+        lab.seek(57);
+        const std::filesystem::path file = folder / (level.stem().string() + ".capsule");
+        save_capsule(editor, file);
+        ASSERT_FALSE(editor.message) << editor.message->text;
+
+        Editor other;
+        other.session.recordings = Recordings(folder / "elsewhere" / "recordings");
+        request_open(other, file);
+        ASSERT_FALSE(other.message) << other.message->text;
+        ASSERT_TRUE(other.lab.has_tape());
+        EXPECT_EQ(other.lab.cursor(), 57u);
+        EXPECT_EQ(other.lab.repeats(), true);
+        EXPECT_EQ(other.lab.doubt(), "");
+        EXPECT_EQ(other.lab.runs()[0].run.hash(), lab.runs()[0].run.hash());
+        EXPECT_EQ(other.document->surface_of(2), SurfaceId{1});
+        EXPECT_EQ(other.document->level().movement.walk_speed, 5.123456789);
+        EXPECT_TRUE(is_inside_folder(other.document->level().mesh_path, folder / "elsewhere"));
+    }
+    write_text(folder / "bad.capsule", "no archive");
+    const std::string before = level_to_json(editor.document->level());
+    request_open(editor, folder / "bad.capsule");
+    ASSERT_TRUE(editor.message);
+    EXPECT_THAT(editor.message->text, HasSubstr("is no gzip file"));
+    EXPECT_EQ(level_to_json(editor.document->level()), before);
+}
+
+TEST_F(LabTest, ATapeOpensItsLevel) {
+    record();
+    save_tape(editor, folder / "run.tape");
+    Editor other;
+    request_open(other, folder / "run.tape");
+    ASSERT_FALSE(other.message) << other.message->text;
+    ASSERT_TRUE(other.lab.has_tape());
+    while (other.lab.frame(*other.document, 0.0)) {
+    }
+    EXPECT_EQ(other.lab.repeats(), true);
+    write_text(folder / "lost.tape", "slipface-tape 1\nlevel gone.obj\n1\n");
+    Editor third;
+    request_open(third, folder / "lost.tape");
+    ASSERT_TRUE(third.message);
+    EXPECT_THAT(third.message->text, HasSubstr("was recorded in gone.obj, which is not beside it"));
+}
+
+// Each change of the inputs is a step among those of the level.
+TEST_F(LabTest, InputsAreChangedAndUndoneInOrder) {
+    record();
+    const ButtonSet jump = Button::jump;
+    const auto presses = [&] { return presses_of(lab.tape(), jump); };
+    const auto undo = [&] { run_command(editor, "edit.undo"); };
+    const auto redo = [&] { run_command(editor, "edit.redo"); };
+    const std::uint64_t hash = lab.runs()[0].run.hash();
+    lab.seek(50);
+    ASSERT_EQ(presses(), (std::vector<Press>{{30, 35}}));
+    ASSERT_TRUE(lab.edit(*editor.document, move_press(lab.tape(), jump, {30, 35}, {36, 41})));
+    ASSERT_TRUE(lab.edit(*editor.document, move_press(lab.tape(), jump, {36, 41}, {40, 45}), true));
+    finish();
+    EXPECT_NE(lab.runs()[0].run.hash(), hash);
+    EXPECT_EQ(lab.cursor(), 50u);
+    EXPECT_TRUE(lab.unsaved);
+    set("walk_speed=4");
+    ASSERT_TRUE(lab.edit(*editor.document, with_buttons(lab.tape(), 60, 62, jump, true)));
+    undo();
+    EXPECT_EQ(presses(), (std::vector<Press>{{40, 45}}));
+    EXPECT_EQ(editor.document->level().movement.walk_speed, 4.0);
+    undo();
+    EXPECT_NE(editor.document->level().movement.walk_speed, 4.0);
+    undo();
+    EXPECT_EQ(presses(), (std::vector<Press>{{30, 35}}));
+    finish();
+    EXPECT_EQ(lab.runs()[0].run.hash(), hash);
+    redo();
+    redo();
+    redo();
+    EXPECT_EQ(presses(), (std::vector<Press>{{40, 45}, {60, 62}}));
+    EXPECT_EQ(editor.document->level().movement.walk_speed, 4.0);
+
+    const Tape before = lab.tape();
+    Tape empty = before;
+    empty.segments.clear();
+    EXPECT_THAT(lab.edit(*editor.document, empty).error().text(), HasSubstr("no ticks"));
+    EXPECT_EQ(tape_to_text(lab.tape()), tape_to_text(before));
+}
+
+TEST_F(LabTest, AnotherTapeWalksBesideTheOpenOne) {
+    record();
+    save_tape(editor, folder / "first.tape");
+    record(80);
+    add_tape(editor, folder / "first.tape");
+    ASSERT_FALSE(editor.message) << editor.message->text;
+    finish();
+    ASSERT_EQ(lab.runs().size(), 3u);
+    EXPECT_EQ(lab.runs()[2].name, "first.tape");
+    EXPECT_EQ(lab.runs()[2].run.length(), 120u);
+    EXPECT_EQ(lab.ticks(), 80u);
+    const std::uint64_t hash = lab.runs()[2].run.hash();
+    ASSERT_TRUE(lab.edit(*editor.document, with_stick(lab.tape(), 0, 80, {0, 1})));
+    finish();
+    EXPECT_EQ(lab.runs()[2].run.hash(), hash) << "it keeps its inputs";
+    lab.explain(2);
+    EXPECT_FALSE(lab.story(*editor.document).empty());
+    lab.unpin(2);
+    EXPECT_EQ(lab.runs().size(), 2u);
+}
+
+TEST_F(LabTest, WalkingOnKeepsTheOldRun) {
+    record();
+    const std::uint64_t hash = lab.runs()[0].run.hash();
+    lab.seek(60);
+    resume_from_cursor(editor);
+    ASSERT_TRUE(editor.playtest);
+    for (int i = 0; i < 10; ++i)
+        editor.playtest->advance(editor.lab.scene(*editor.document), editor.document->level().movement, {},
+                                 Playtest::tick_s);
+    stop_playtest(editor);
+    finish();
+    EXPECT_EQ(lab.ticks(), 70u);
+    ASSERT_EQ(lab.runs().size(), 3u);
+    EXPECT_EQ(lab.runs()[2].run.hash(), hash);
+}
+
+TEST_F(LabTest, ATapeThatChangesOnDiskIsReadAgain) {
+    record();
+    const auto file = folder / "run.tape";
+    save_tape(editor, file);
+    open_tape(editor, file);
+    lab.seek(40);
+    const auto look = [&] {
+        for (int i = 0; i < 3; ++i)
+            look_at_tape_file(editor);
+    };
+    Tape changed = with_buttons(lab.tape(), 70, 75, Button::jump, true);
+    write_text(file, tape_to_text(changed));
+    look();
+    EXPECT_EQ(presses_of(lab.tape(), Button::jump).size(), 2u);
+    EXPECT_EQ(lab.cursor(), 40u);
+    EXPECT_FALSE(lab.unsaved);
+    write_text(file, "slipface-tape 1\nhop\n");
+    look();
+    EXPECT_THAT(editor.status, HasSubstr("cannot be read"));
+    EXPECT_EQ(presses_of(lab.tape(), Button::jump).size(), 2u);
+    // What was changed here is not lost.
+    ASSERT_TRUE(lab.edit(*editor.document, with_stick(lab.tape(), 0, 5, {1, 0})));
+    write_text(file, tape_to_text(changed) + "# and more\n");
+    look();
+    EXPECT_THAT(editor.status, HasSubstr("your changes stay"));
+    EXPECT_EQ(stick_spans(lab.tape()).front().wish, Vec2(1, 0));
+}
+
 TEST_F(LabTest, AWrongTapeIsReportedAndTheLabStays) {
     record();
     write_text(folder / "bad.tape", "slipface-tape 1\nhop\n");
@@ -173,7 +337,7 @@ TEST_F(LabTest, ATapeOfAnotherLevelRaisesADoubt) {
                "slipface-tape 1\nlevel a.obj 0123456789abcdef\n10\nend 0123456789abcdef\n");
     open_tape(editor, folder / "other.tape");
     finish();
-    EXPECT_EQ(lab.doubt(), "Recorded on other geometry");
+    EXPECT_EQ(lab.doubt(), "The geometry has changed since the recording");
     EXPECT_EQ(lab.repeats(), false);
     write_text(folder / "paint.tape", "slipface-tape 1\nsurfaces 0123456789abcdef\n10\n");
     open_tape(editor, folder / "paint.tape");

@@ -133,11 +133,18 @@ Saying saying_of(const TraceRecord& record, const StoryLine& line, const Movemen
     return saying;
 }
 
+// One who rests on the ground has no speed to be shown.
+std::vector<Value> speed_of(const PlayerState& state) {
+    const Value value = speed(motion_velocity(state));
+    if (state.grounded && value.value < 5e-4) return {};
+    return {value};
+}
+
 Saying saying_of_begin(const TickTrace& trace) {
     Saying saying{{trace.before.grounded ? "standing on face "
                    : trace.before.stuck  ? "stuck to face "
                                          : "in the air"},
-                  {speed(trace.before.velocity)}};
+                  speed_of(trace.before)};
     const Vec2& wish = trace.input.wish;
     if (wish.isZero(0.0)) return saying;
     double heading = std::atan2(wish.x(), -wish.y()) * degrees;
@@ -149,11 +156,13 @@ Saying saying_of_begin(const TickTrace& trace) {
 
 Saying saying_of_end(const TickTrace& trace) {
     const PlayerState& end = trace.after.stepped;
-    return {{end.grounded ? "standing on face "
-             : end.stuck  ? "stuck to face "
-                          : "in the air",
-             ", moved "},
-            {speed(end.velocity), metres((trace.to - trace.from).norm())}};
+    Saying saying{{end.grounded ? "standing on face "
+                   : end.stuck  ? "stuck to face "
+                                : "in the air",
+                   ", moved "},
+                  speed_of(end)};
+    saying.values.push_back(metres((trace.to - trace.from).norm()));
+    return saying;
 }
 
 // A number as shown stands for the value: no other value with that text lies further away than its last

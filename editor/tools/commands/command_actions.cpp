@@ -33,10 +33,10 @@ bool has_selection(const Editor& editor) {
     return editor.document && !editor.document->selection().empty();
 }
 bool can_undo(const Editor& editor) {
-    return editor.document && editor.document->can_undo();
+    return editor.document && (editor.document->can_undo() || editor.lab.can_undo_edit(*editor.document));
 }
 bool can_redo(const Editor& editor) {
-    return editor.document && editor.document->can_redo();
+    return editor.document && (editor.document->can_redo() || editor.lab.can_redo_edit(*editor.document));
 }
 bool is_playing(const Editor& editor) {
     return editor.playtest.has_value();
@@ -71,11 +71,21 @@ void save_as(Editor& editor) {
 }
 
 void undo(Editor& editor) {
+    if (editor.lab.can_undo_edit(*editor.document)) {
+        editor.lab.undo_edit(*editor.document);
+        editor.status = "Undone: Change inputs";
+        return;
+    }
     editor.status = "Undone: " + editor.document->history()[editor.document->history_cursor() - 1].name;
     editor.document->undo();
 }
 
 void redo(Editor& editor) {
+    if (editor.lab.can_redo_edit(*editor.document)) {
+        editor.lab.redo_edit(*editor.document);
+        editor.status = "Done again: Change inputs";
+        return;
+    }
     editor.status = "Done again: " + editor.document->history()[editor.document->history_cursor()].name;
     editor.document->redo();
 }

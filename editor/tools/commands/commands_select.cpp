@@ -81,8 +81,8 @@ std::vector<Command> whole_rows() {
          [](Editor& e) { apply_selection(e, every_face(*e.document), SelectBy::replace, "Select all"); }},
         {"select.none", icons::none, "Select none", "Select", "Select no face", "deselect clear nothing",
          ctrl_shift("A"), has_selection, nullptr, [](Editor& e) { e.document->select({}); }},
-        {"select.invert", icons::exchange, "Invert selection", "Select",
-         "Select exactly the faces that are not selected", "inverse swap", ctrl("I"), has_document, nullptr,
+        {"select.invert", icons::exchange, "Invert selection", "Select", "Swap selected and unselected",
+         "inverse swap", ctrl("I"), has_document, nullptr,
          [](Editor& e) {
              apply_selection(e, inverted(*e.document, e.document->selection()), SelectBy::replace,
                              "Invert selection");

@@ -15,11 +15,11 @@ namespace slipface {
 namespace {
 
 constexpr HeatInfo heat_infos[] = {
-    {"Walking time that a face costs, per visit of a walker", "s per visit"},
+    {"Seconds lost per visit", "s per visit"},
     {"Time that walkers pushed the stick on a face but hardly moved, all walkers together", "s"},
     {"Time spent falling close above a face without ground contact, all walkers together", "s"},
-    {"Time that walkers spent on a face, of all walkers", "s"},
-    {"Faces flat enough to stand on where no walker ever was", ""},
+    {"Seconds all walkers spent on this face", "s"},
+    {"Walkable faces that no walker reached", ""},
 };
 static_assert(std::size(heat_infos) == heat_names.size());
 

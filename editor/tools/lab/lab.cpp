@@ -16,7 +16,8 @@ std::uint64_t state_of(const Document& document) {
 
 // Why a tape need not repeat in this level.
 std::string doubt_of(const Tape& tape, std::uint64_t geometry, const TickScene& scene) {
-    if (tape.level_fingerprint && *tape.level_fingerprint != geometry) return "Recorded on other geometry";
+    if (tape.level_fingerprint && *tape.level_fingerprint != geometry)
+        return "The geometry has changed since the recording";
     if (tape.surfaces_fingerprint && *tape.surfaces_fingerprint != scene_fingerprint(scene.at(0, 0.0)))
         return "Recorded with other surface types";
     return {};
@@ -35,50 +36,109 @@ std::string difference_name(const MovementSettings& from, const MovementSettings
 
 }  // namespace
 
-TickScene Lab::scene(const Document& document) const {
-    const Level& level = document.level();
-    const bool fresh = level_scene_ && scene_document_ == &document && scene_state_ == state_of(document) &&
-                       scene_sectors_ == level.movement.sectors;
-    if (!fresh) {
-        level_scene_.reset();
+TickScene Lab::scene(const Document& document, const MovementSettings& settings) const {
+    if (scene_document_ != &document || scene_state_ != state_of(document)) {
+        level_scenes_ = {};
         scene_document_ = &document;
         scene_state_ = state_of(document);
-        scene_sectors_ = level.movement.sectors;
-        Result<LevelScene> built = LevelScene::borrow(level, document.collision(), level.movement);
-        if (built) level_scene_.emplace(std::move(*built));
     }
-    if (level_scene_) return *level_scene_;
-    return document.scene();
+    std::optional<LevelScene>& known = level_scenes_[settings.sectors ? 1 : 0];
+    if (!known) {
+        Result<LevelScene> built = LevelScene::borrow(document.level(), document.collision(), settings);
+        if (built) known.emplace(std::move(*built));
+    }
+    return known ? TickScene(*known) : TickScene(document.scene());
 }
 
-Status Lab::open(const Document& document, Tape tape, std::string name) {
+Result<Lab::Opened> Lab::examine(const Document& document, const Tape& tape, const std::string& name) const {
     if (tape.tick_count() == 0) return Error{name, "found no ticks, expected at least one"};
     if (tape.tick_count() > TapeRun::max_ticks) {
         return Error{name, "found " + std::to_string(tape.tick_count()) + " ticks, expected at most " +
                                std::to_string(TapeRun::max_ticks)};
     }
-    MovementSettings settings = document.level().movement;
-    if (Status status = apply_tape_settings(settings, tape, name); !status) return status;
+    Opened opened{document.level().movement, document.level().spawn};
+    if (Status status = apply_tape_settings(opened.settings, tape, name); !status) return status.error();
+    if (tape.start) {
+        opened.start = *tape.start;
+    } else {
+        const TickScene ticks = scene(document, opened.settings);
+        const Result<Start> start =
+            find_start(document.level(), ticks.at(0, 0.0), ticks.offset(), opened.settings);
+        if (start) opened.start = start->position;
+    }
+    return opened;
+}
 
+// Becomes the lab's tape; its runs begin anew.
+void Lab::take(const Document& document, std::shared_ptr<const Tape> tape, const Opened& opened) {
+    start_ = opened.start;
+    doubt_ = doubt_of(*tape, document.level().mesh.fingerprint(), scene(document, opened.settings));
+    const bool whole = shown_first_ == 0.0 && shown_last_ >= static_cast<double>(ticks());
+    tape_ = std::move(tape);
+    runs_.front().settings = opened.settings;
+    for (std::size_t i = 0; i < runs_.size(); ++i)
+        if (runs_[i].kind != LabRun::Kind::other) restart(i, document);
+    if (whole) shown_last_ = static_cast<double>(ticks());
+    zoom(1.0, shown_first_);
+    seek(cursor_);
+}
+
+Status Lab::open(const Document& document, Tape tape, std::string name) {
+    const Result<Opened> opened = examine(document, tape, name);
+    if (!opened) return opened.error();
     close();
     name_ = std::move(name);
-    if (tape.start) {
-        start_ = *tape.start;
-    } else {
-        const TickScene ticks = scene(document);
-        const Result<Start> start = find_start(document.level(), ticks.at(0, 0.0), ticks.offset(), settings);
-        start_ = start ? start->position : document.level().spawn;
-    }
-    doubt_ = doubt_of(tape, document.level().mesh.fingerprint(), scene(document));
     tape_ = std::make_shared<const Tape>(std::move(tape));
     level_state_ = state_of(document);
-    runs_.push_back(
-        {LabRun::Kind::recorded, "As recorded", settings, true, TapeRun(tape_, settings, start_)});
     const MovementSettings& now = document.level().movement;
-    runs_.push_back({LabRun::Kind::now, "Now", now, true, TapeRun::under(tape_, now, start_)});
+    runs_.push_back({LabRun::Kind::recorded, "As recorded", opened->settings, true,
+                     TapeRun(tape_, opened->settings, opened->start)});
+    runs_.push_back({LabRun::Kind::now, "Now", now, true, TapeRun::under(tape_, now, opened->start)});
     divergences_.resize(runs_.size());
     shown_last_ = static_cast<double>(ticks());
+    take(document, tape_, *opened);
     return {};
+}
+
+Status Lab::edit(const Document& document, Tape tape, bool joins) {
+    constexpr std::size_t max_edits = 200;
+    if (!has_tape()) return {};
+    tape.end_hash.reset();
+    if (!tape.start) tape.start = start_;
+    const Result<Opened> opened = examine(document, tape, name_);
+    if (!opened) return opened.error();
+    const std::shared_ptr<const Tape> before = tape_, after = std::make_shared<const Tape>(std::move(tape));
+    edits_.resize(edit_cursor_);
+    if (joins && edit_cursor_ > 0)
+        edits_.back().after = after;
+    else
+        edits_.push_back({before, after, document.history_mark()});
+    if (edits_.size() > max_edits) edits_.erase(edits_.begin());
+    edit_cursor_ = edits_.size();
+    unsaved = true;
+    motion = LabMotion::paused;
+    take(document, after, *opened);
+    return {};
+}
+
+bool Lab::can_undo_edit(const Document& document) const {
+    return edit_cursor_ > 0 && edits_[edit_cursor_ - 1].mark == document.history_mark();
+}
+
+bool Lab::can_redo_edit(const Document& document) const {
+    return edit_cursor_ < edits_.size() && edits_[edit_cursor_].mark == document.history_mark();
+}
+
+void Lab::undo_edit(const Document& document) {
+    if (!can_undo_edit(document)) return;
+    const std::shared_ptr<const Tape> tape = edits_[--edit_cursor_].before;
+    if (const Result<Opened> opened = examine(document, *tape, name_)) take(document, tape, *opened);
+}
+
+void Lab::redo_edit(const Document& document) {
+    if (!can_redo_edit(document)) return;
+    const std::shared_ptr<const Tape> tape = edits_[edit_cursor_++].after;
+    if (const Result<Opened> opened = examine(document, *tape, name_)) take(document, tape, *opened);
 }
 
 void Lab::close() {
@@ -108,8 +168,11 @@ bool Lab::complete() const {
 void Lab::restart(std::size_t index, const Document& document) {
     LabRun& run = runs_[index];
     if (run.kind == LabRun::Kind::now) run.settings = document.level().movement;
-    run.run = run.kind == LabRun::Kind::recorded ? TapeRun(tape_, run.settings, start_)
-                                                 : TapeRun::under(tape_, run.settings, start_);
+    if (run.kind == LabRun::Kind::other)
+        run.run = TapeRun(run.tape, run.settings, run.run.start());
+    else
+        run.run = run.kind == LabRun::Kind::recorded ? TapeRun(tape_, run.settings, start_)
+                                                     : TapeRun::under(tape_, run.settings, start_);
     divergences_[index].reset();
     ++revision_;
 }
@@ -122,7 +185,8 @@ bool Lab::frame(const Document& document, double seconds) {
     if (!has_tape()) return false;
     const bool other_level = level_state_ != state_of(document);
     level_state_ = state_of(document);
-    if (other_level) doubt_ = doubt_of(*tape_, document.level().mesh.fingerprint(), scene(document));
+    if (other_level)
+        doubt_ = doubt_of(*tape_, document.level().mesh.fingerprint(), scene(document, runs_.front()));
     for (std::size_t i = 0; i < runs_.size(); ++i) {
         const bool other_settings =
             runs_[i].kind == LabRun::Kind::now && !(runs_[i].settings == document.level().movement);
@@ -134,7 +198,7 @@ bool Lab::frame(const Document& document, double seconds) {
         TapeRun& run = runs_[i].run;
         if (run.complete()) continue;
         const std::size_t before = run.samples().size();
-        run.advance(scene(document), budget);
+        run.advance(scene(document, runs_[i]), budget);
         budget -= run.samples().size() - before;
         ++revision_;
         if (run.complete() && runs_[0].run.complete()) compare(i);
@@ -169,8 +233,24 @@ void Lab::pin(const MovementSettings& settings) {
     ++revision_;
 }
 
+Status Lab::add(const Document& document, Tape tape, std::string name) {
+    if (!has_tape()) return open(document, std::move(tape), std::move(name));
+    if (runs_.size() >= max_runs)
+        return Error{name, "found " + std::to_string(max_runs) + " runs, expected fewer: remove one first"};
+    const Result<Opened> opened = examine(document, tape, name);
+    if (!opened) return opened.error();
+    const auto other = std::make_shared<const Tape>(std::move(tape));
+    runs_.push_back({LabRun::Kind::other, std::move(name), opened->settings, true,
+                     TapeRun(other, opened->settings, opened->start), other});
+    divergences_.resize(runs_.size());
+    ++revision_;
+    return {};
+}
+
 void Lab::unpin(std::size_t index) {
-    if (index >= runs_.size() || runs_[index].kind != LabRun::Kind::pinned) return;
+    if (index >= runs_.size() || runs_[index].kind == LabRun::Kind::recorded ||
+        runs_[index].kind == LabRun::Kind::now)
+        return;
     runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(index));
     divergences_.erase(divergences_.begin() + static_cast<std::ptrdiff_t>(index));
     if (explained_ >= index && explained_ > 0) --explained_;
@@ -240,7 +320,7 @@ void Lab::update_explained(const Document& document) const {
     explained_tick_->run = explained_;
     explained_tick_->tick = cursor_;
     if (!has_tape()) return;
-    explained_tick_->trace = runs_[explained_].run.trace(scene(document), cursor_);
+    explained_tick_->trace = runs_[explained_].run.trace(scene(document, runs_[explained_]), cursor_);
     explained_tick_->lines = describe(explained_tick_->trace, document.level());
 }
 
@@ -257,9 +337,9 @@ const std::vector<StoryLine>& Lab::story(const Document& document) const {
 const std::vector<SwitchEffect>& Lab::switches(const Document& document) const {
     update_explained(document);
     if (!explained_tick_->switches) {
-        explained_tick_->switches =
-            has_tape() ? switch_effects(scene(document), runs_[explained_].run, cursor_, switch_ticks)
-                       : std::vector<SwitchEffect>{};
+        explained_tick_->switches = has_tape() ? switch_effects(scene(document, runs_[explained_]),
+                                                                runs_[explained_].run, cursor_, switch_ticks)
+                                               : std::vector<SwitchEffect>{};
     }
     return *explained_tick_->switches;
 }
@@ -270,7 +350,7 @@ const std::vector<Stop>& Lab::stops(const Document& document) const {
     if (!has_tape() || !runs_[explained_].run.complete()) return stops_;
     stops_revision_ = revision_;
     stops_run_ = explained_;
-    stops_ = find_stops(scene(document), runs_[explained_].run, document.level());
+    stops_ = find_stops(scene(document, runs_[explained_]), runs_[explained_].run, document.level());
     return stops_;
 }
 
@@ -280,7 +360,7 @@ const std::vector<RunEvent>& Lab::events(const Document& document) const {
     if (!has_tape() || !runs_[explained_].run.complete()) return events_;
     events_revision_ = revision_;
     events_run_ = explained_;
-    events_ = find_events(scene(document), runs_[explained_].run, document.level());
+    events_ = find_events(scene(document, runs_[explained_]), runs_[explained_].run, document.level());
     return events_;
 }
 
@@ -300,7 +380,7 @@ const std::vector<RateRow>& Lab::rates(const Document& document) const {
     rates_revision_ = revision_;
     rates_.clear();
     for (const int hz : standard_rates)
-        rates_.push_back(compare_rate(scene(document), runs_[explained_].run, hz));
+        rates_.push_back(compare_rate(scene(document, runs_[explained_]), runs_[explained_].run, hz));
     return rates_;
 }
 

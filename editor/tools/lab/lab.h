@@ -2,12 +2,14 @@
 // neither ImGui nor OpenGL.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "document/document.h"
+#include "document/file_watch.h"
 #include "slipface/sim/compare.h"
 #include "slipface/sim/run_events.h"
 #include "slipface/sim/stops.h"
@@ -15,14 +17,21 @@
 
 namespace slipface {
 
-// One run of the lab's tape. The first uses the recorded settings, the second the document's present
-// settings; the user can pin more.
+// One run of the lab. The first is the lab's tape under the recorded settings, the second under the
+// document's present ones; the user can pin more settings, and other tapes.
 struct LabRun {
-    enum class Kind { recorded, now, pinned } kind = Kind::recorded;
-    std::string name;  // "As recorded", "Now", "keep energy off"
+    enum class Kind { recorded, now, pinned, other } kind = Kind::recorded;
+    std::string name;  // "As recorded", "Now", "keep energy off", "best.tape"
     MovementSettings settings;
     bool shown = true;
     TapeRun run;
+    std::shared_ptr<const Tape> tape = nullptr;  // of another tape, else null
+};
+
+// A change of the tape's inputs that can be taken back.
+struct InputEdit {
+    std::shared_ptr<const Tape> before, after;
+    std::size_t mark = 0;  // Document::history_mark() when it was made
 };
 
 enum class LabMotion { paused, forward, backward };
@@ -41,8 +50,13 @@ class Lab {
     static constexpr std::size_t max_runs = 8;
     static constexpr std::size_t ticks_per_frame = 6000;  // limit for all runs together
 
-    // The level with its moving parts, for a caller that steps a player. Valid until the next call.
-    TickScene scene(const Document& document) const;
+    // The level with its moving parts, for a caller that steps a player under these settings: they decide
+    // whether its sectors act. Valid until the document's geometry or types change.
+    TickScene scene(const Document& document, const MovementSettings& settings) const;
+    TickScene scene(const Document& document) const { return scene(document, document.level().movement); }
+    TickScene scene(const Document& document, const LabRun& run) const {
+        return scene(document, run.settings);
+    }
 
     // --- the tape
     // Opens `tape` in `document`. The error says what does not fit the level; then nothing changes.
@@ -50,8 +64,11 @@ class Lab {
     void close();
     bool has_tape() const { return tape_ != nullptr; }
     const Tape& tape() const { return *tape_; }
+    const std::shared_ptr<const Tape>& shared_tape() const { return tape_; }  // another after each change
     const std::string& name() const { return name_; }
-    bool unsaved = false;  // the tape was recorded here and is in no file
+    bool unsaved = false;        // the tape was recorded or changed here and is in no file
+    std::filesystem::path file;  // that the tape was read from or written to; empty: none
+    FileWatch watch;             // of `file`
     std::size_t ticks() const { return runs_.empty() ? 0 : runs_.front().run.length(); }
     // The tape with everything needed to repeat it elsewhere, including the hash of its end.
     Tape sealed_tape() const;
@@ -60,6 +77,18 @@ class Lab {
     // Whether the recorded run ended with the tape's hash. Nothing: the tape has no hash, or the run is not
     // complete.
     std::optional<bool> repeats() const;
+
+    // --- changing the inputs
+    // The same run with another tape (tape_edit.h), at the same tick: one step that undo_edit() takes back;
+    // `joins`: one with the step before, as while the mouse is held. The error says what does not fit; then
+    // nothing changes.
+    Status edit(const Document& document, Tape tape, bool joins = false);
+    // Whether the last change was one of the tape, and none of the document.
+    bool can_undo_edit(const Document& document) const;
+    bool can_redo_edit(const Document& document) const;
+    void undo_edit(const Document& document);
+    void redo_edit(const Document& document);
+    bool edited() const { return edit_cursor_ > 0; }
 
     // --- once per frame
     // Restarts runs whose settings or level changed, continues incomplete ones, moves the cursor. True:
@@ -71,7 +100,9 @@ class Lab {
     const std::vector<LabRun>& runs() const { return runs_; }
     bool complete() const;
     void pin(const MovementSettings& settings);  // adds a run with these settings
-    void unpin(std::size_t index);               // pinned ones only
+    // Adds the run of another tape. The error says what does not fit the level, or that there are max_runs.
+    Status add(const Document& document, Tape tape, std::string name);
+    void unpin(std::size_t index);  // pinned ones and other tapes only
     // The selected run: the story is about it, and its plots are on top.
     std::size_t explained() const { return explained_; }
     void explain(std::size_t index);
@@ -122,6 +153,12 @@ class Lab {
     bool show_reach = false;
 
   private:
+    struct Opened {
+        MovementSettings settings;
+        Vec3 start;
+    };
+    Result<Opened> examine(const Document& document, const Tape& tape, const std::string& name) const;
+    void take(const Document& document, std::shared_ptr<const Tape> tape, const Opened& opened);
     void restart(std::size_t index, const Document& document);
     void compare(std::size_t index);
     void show_cursor();
@@ -138,10 +175,11 @@ class Lab {
     std::size_t cursor_ = 0;
     double shown_first_ = 0.0, shown_last_ = 1.0;
     double unspent_s_ = 0.0;
-    mutable std::optional<LevelScene> level_scene_;
+    std::vector<InputEdit> edits_;
+    std::size_t edit_cursor_ = 0;                                    // edits [0, edit_cursor_) are done
+    mutable std::array<std::optional<LevelScene>, 2> level_scenes_;  // [whether sectors act]
     mutable const Document* scene_document_ = nullptr;
     mutable std::uint64_t scene_state_ = 0;
-    mutable bool scene_sectors_ = false;
     mutable std::optional<ExplainedTick> explained_tick_;
     mutable std::vector<Stop> stops_;
     mutable std::uint64_t stops_revision_ = 0;

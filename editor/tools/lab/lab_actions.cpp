@@ -33,6 +33,11 @@ bool write_text(Editor& editor, const std::filesystem::path& path, const std::st
     return status.ok();
 }
 
+void watch_tape(Editor& editor, const std::filesystem::path& path) {
+    editor.lab.file = path;
+    editor.lab.watch.start(path, path, true);
+}
+
 }  // namespace
 
 void show_lab(Editor& editor) {
@@ -56,6 +61,9 @@ void take_playtest_tape(Editor& editor) {
         return;
     }
     editor.lab.unsaved = true;
+    if (editor.walked_on && editor.walked_on->level == editor.document->level().mesh_path)
+        (void)editor.lab.add(*editor.document, std::move(editor.walked_on->tape), editor.walked_on->name);
+    editor.walked_on.reset();
     complete_runs(editor);
     go_to_headline(editor);
     show_lab(editor);
@@ -70,16 +78,57 @@ void open_tape(Editor& editor, const std::filesystem::path& path) {
     Result<Tape> tape = load_tape(path);
     const std::string title = "Cannot open " + path.filename().string();
     if (!tape) return report_problem(editor, title, tape.error());
+    keep_edited_tape(editor);
     const Status status = editor.lab.open(*editor.document, std::move(*tape), path.filename().string());
     if (!status) return report_problem(editor, title, status.error());
+    watch_tape(editor, path);
     show_lab(editor);
     editor.status = "Opened " + path.filename().string();
+}
+
+void add_tape(Editor& editor, const std::filesystem::path& path) {
+    if (!editor.document) return;
+    Result<Tape> tape = load_tape(path);
+    const std::string name = path.filename().string();
+    const Status status = tape ? editor.lab.add(*editor.document, std::move(*tape), name) : tape.error();
+    if (!status) return report_problem(editor, "Cannot open " + name, status.error());
+    show_lab(editor);
+    editor.layout.show(PanelId::ghosts);
+    editor.status = "Added " + name + " as a ghost";
+}
+
+void keep_edited_tape(Editor& editor) {
+    if (!editor.document || !editor.lab.has_tape() || !editor.lab.unsaved || !editor.lab.edited()) return;
+    complete_runs(editor);
+    const Status kept = editor.session.recordings.store(editor.document->level().mesh_path.stem().string(),
+                                                        tape_to_text(editor.lab.sealed_tape()));
+    editor.status = kept ? "The changed tape is among the recordings (Lab > Open recording)"
+                         : "The changed tape was not kept: " + kept.error().text();
+}
+
+bool look_at_tape_file(Editor& editor) {
+    Lab& lab = editor.lab;
+    if (!editor.document || !lab.has_tape() || lab.file.empty() || !lab.watch.poll()) return false;
+    const std::string name = lab.file.filename().string();
+    if (lab.unsaved) {
+        editor.status = name + " has changed on disk; your changes stay. Lab > Open tape takes the file";
+        return true;
+    }
+    Result<Tape> tape = load_tape(lab.file);
+    const Status status = tape ? lab.edit(*editor.document, std::move(*tape)) : tape.error();
+    if (status) lab.unsaved = false;
+    watch_tape(editor, lab.file);
+    editor.status = status ? "Read " + name + " again; can be undone"
+                           : name + " has changed and cannot be read: " + status.error().text();
+    return true;
 }
 
 void save_tape(Editor& editor, const std::filesystem::path& path) {
     if (!editor.lab.has_tape()) return;
     complete_runs(editor);
-    if (write_text(editor, path, tape_to_text(editor.lab.sealed_tape()))) editor.lab.unsaved = false;
+    if (!write_text(editor, path, tape_to_text(editor.lab.sealed_tape()))) return;
+    editor.lab.unsaved = false;
+    watch_tape(editor, path);
 }
 
 void save_run_csv(Editor& editor, const std::filesystem::path& path) {
@@ -94,15 +143,20 @@ void resume_from_cursor(Editor& editor) {
     complete_runs(editor);
     const std::size_t tick = editor.lab.cursor();
     const TapeRun& run = editor.lab.runs().front().run;
-    const PlayerState state = run.state_before(editor.lab.scene(*editor.document), tick);
-    const std::uint64_t hash = run.hash_before(editor.lab.scene(*editor.document), tick);
+    const TickScene scene = editor.lab.scene(*editor.document, editor.lab.runs().front());
+    const PlayerState state = run.state_before(scene, tick);
+    const std::uint64_t hash = run.hash_before(scene, tick);
     const MovementSettings settings = run.settings_at(tick == 0 ? 0 : tick - 1);
-    Tape tape = cut_tape(editor.lab.sealed_tape(), tick);
+    const Tape whole = editor.lab.sealed_tape();
+    Tape tape = cut_tape(whole, tick);
     const Vec3 heading = tick > 0 ? Vec3(run.samples()[tick - 1].velocity) : Vec3(Vec3::Zero());
     const bool moving = std::hypot(heading.x(), heading.z()) > 0.1;
     const double yaw = moving ? std::atan2(-heading.x(), -heading.z()) : editor.document->level().spawn_yaw;
+    StoredTape old{editor.document->level().mesh_path, whole, "Before: " + editor.lab.name()};
+    keep_edited_tape(editor);
     start_playtest(editor);
     if (!editor.playtest) return;
+    editor.walked_on = std::move(old);
     if (tick > 0) editor.playtest->resume(tape, settings, state, run.samples()[tick - 1].position, hash, yaw);
     editor.status = "Recording again from tick " + std::to_string(tick);
 }
@@ -221,13 +275,20 @@ bool has_recordings(const Editor& editor) {
 void ask_open_recording(Editor& editor) {
     editor.file_dialog = FileDialogKind::open_recording;
 }
+void ask_add_tape(Editor& editor) {
+    editor.file_dialog = FileDialogKind::add_tape;
+}
 void ask_save_tape(Editor& editor) {
     editor.file_dialog = FileDialogKind::save_tape;
+}
+void ask_save_capsule(Editor& editor) {
+    editor.file_dialog = FileDialogKind::save_capsule;
 }
 void ask_save_csv(Editor& editor) {
     editor.file_dialog = FileDialogKind::save_csv;
 }
 void close_tape(Editor& editor) {
+    keep_edited_tape(editor);
     editor.lab.close();
 }
 void play(Editor& editor) {
@@ -278,7 +339,7 @@ void copy_story(Editor& editor) {
 }
 void copy_link(Editor& editor) {
     editor.clipboard = "#" + link_to_run(editor);
-    editor.status = "Copied the link: append it to the address of Slipface as a page (docs/web.md)";
+    editor.status = "Link copied. Save it as NAME.link: opens this run wherever the level is";
 }
 
 void copy_probe_command(Editor& editor) {

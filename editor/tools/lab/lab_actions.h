@@ -20,9 +20,14 @@ void show_lab(Editor& editor);       // its panels
 void complete_runs(Editor& editor);  // now; tapes that end after a few minutes take milliseconds
 // Each reports failure as a MessageDialog and leaves the lab as it was.
 void open_tape(Editor& editor, const std::filesystem::path& path);
+void add_tape(Editor& editor, const std::filesystem::path& path);  // as a ghost beside the open one
 void save_tape(Editor& editor, const std::filesystem::path& path);
+// Before the lab's tape is replaced: one that was edited and not saved goes to the recordings.
+void keep_edited_tape(Editor& editor);
+// Reads the open tape's file again if another program wrote it. True: it was.
+bool look_at_tape_file(Editor& editor);
 void save_run_csv(Editor& editor, const std::filesystem::path& path);
-// Starts a playtest at the cursor's tick; it records over the rest of the tape.
+// Starts a playtest at the cursor's tick; the run that it leaves stays as a ghost.
 void resume_from_cursor(Editor& editor);
 
 // A viewpoint about `distance` metres from `position` with free sight of it. Prefers the direction from
@@ -58,7 +63,9 @@ bool can_pin(const Editor& editor);
 void ask_open_tape(Editor& editor);
 bool has_recordings(const Editor& editor);
 void ask_open_recording(Editor& editor);
+void ask_add_tape(Editor& editor);
 void ask_save_tape(Editor& editor);
+void ask_save_capsule(Editor& editor);
 void ask_save_csv(Editor& editor);
 void close_tape(Editor& editor);
 void play(Editor& editor);

@@ -15,7 +15,7 @@ namespace slipface {
 const char* meaning_of(ReachView view) {
     switch (view) {
         case ReachView::time: return "How long the fastest path found to each face takes";
-        case ReachView::unreached: return "Faces flat enough to stand on where the player was never brought";
+        case ReachView::unreached: return "Walkable faces the search never reached";
         case ReachView::traps:
             return "Faces that were reached, but from which no way back to the start was found";
         case ReachView::gained: return "Faces reached now and not in the search before";

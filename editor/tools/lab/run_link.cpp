@@ -16,17 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path find_level(const Editor& editor, const std::string& name) {
-    if (editor.document && editor.document->level().mesh_path.filename() == name)
-        return editor.document->level().mesh_path;
-    for (const fs::path& level : sample_levels())
-        if (level.filename() == name) return level;
-    std::error_code error;
-    for (const fs::path& recent : editor.recent.paths())
-        if (recent.filename() == name && fs::exists(recent, error)) return recent;
-    return {};
-}
-
 // The level file of a level that comes with the program, as it came; empty: there is none of this name.
 std::string shipped_level_file(const Editor& editor, const std::string& level) {
     const fs::path folder =
@@ -80,6 +69,17 @@ Result<std::unique_ptr<Document>> open_with(const fs::path& mesh, const std::str
 }
 
 }  // namespace
+
+fs::path find_level(const Editor& editor, const std::string& name) {
+    if (editor.document && editor.document->level().mesh_path.filename() == name)
+        return editor.document->level().mesh_path;
+    for (const fs::path& level : sample_levels())
+        if (level.filename() == name) return level;
+    std::error_code error;
+    for (const fs::path& recent : editor.recent.paths())
+        if (recent.filename() == name && fs::exists(recent, error)) return recent;
+    return {};
+}
 
 std::string link_to_run(Editor& editor) {
     if (!editor.document || !editor.lab.has_tape()) return {};

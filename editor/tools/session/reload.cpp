@@ -144,8 +144,11 @@ void finish_reload(Editor& editor, Loading loading) {
     if (!status) return read_failed(editor, loading.path, status.error(), loading.unasked);
     watch_files(editor);
     geometry_changed(editor);
-    editor.status =
-        "Reloaded " + name + ": " + document.match().text() + guessed_text(document) + "; can be undone";
+    const MatchSummary& match = document.match();
+    const bool kept = match.by_plane == 0 && match.by_nearest == 0 && match.orphaned == 0;
+    editor.status = name + " changed and was reloaded" +
+                    (kept ? ". All paint kept" : ": " + match.text() + guessed_text(document)) +
+                    "; can be undone";
     geometry_is_settled(editor);
     if (loading.then) answer_changed(editor, *loading.then);
 }

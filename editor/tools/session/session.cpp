@@ -9,6 +9,7 @@
 #include "tools/editor.h"
 #include "tools/lab/lab_actions.h"
 #include "tools/lab/reach_job.h"
+#include "tools/lab/run_file.h"
 
 namespace slipface {
 namespace {
@@ -129,6 +130,7 @@ void finish_loading(Editor& editor) {
     }
     adopt_document(editor, std::move(opened->document), loading.path);
     restore_tape(editor);
+    open_awaited_run(editor);
     if (loading.kind != Loading::Kind::recover) return offer_recovery(editor);
     editor.session.recovered = loading.autosave;
     editor.session.autosave.go_on_from(loading.autosave);
@@ -183,6 +185,7 @@ double tick_session(Editor& editor, double now_s, bool& shown_changed) {
     const bool looks = now_s >= session.next_look_s;
     if (looks) session.next_look_s = now_s + watch_interval_s;
     if (looks && look_at_files(editor)) shown_changed = true;
+    if (looks && look_at_tape_file(editor)) shown_changed = true;
     return wait;
 }
 

@@ -50,7 +50,7 @@ struct PanelLayout {
     // The open tab of each dock. Nothing, or a hidden panel: the first shown panel.
     std::array<std::optional<PanelId>, dock_count> front;
     float left = 264.0f, right = 344.0f;         // widths in design pixels
-    float left_lower = 230.0f, bottom = 230.0f;  // heights
+    float left_lower = 230.0f, bottom = 252.0f;  // heights
 
     // Focus: only the view and at most one panel are shown, without menus, toolbar and status bar. Not saved.
     bool focus = false;

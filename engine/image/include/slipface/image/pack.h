@@ -20,4 +20,9 @@ std::string pack(std::string_view bytes, int effort = pack_usual);
 // bytes. A `size` that deflate cannot reach from `packed` is refused before memory is allocated.
 std::optional<std::string> unpack(std::string_view packed, std::size_t size);
 
+// The same with gzip's wrapper (RFC 1952), which holds the size. unpack_gzip: nothing if the data are damaged
+// or would unpack to more than `most` bytes.
+std::string pack_gzip(std::string_view bytes);
+std::optional<std::string> unpack_gzip(std::string_view packed, std::size_t most);
+
 }  // namespace slipface

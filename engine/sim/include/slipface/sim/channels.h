@@ -15,7 +15,8 @@ struct RunChannel {
 };
 std::span<const RunChannel> run_channels();
 
-// A header and one row per tick: tick, time_s, every channel, the surface's name, and for each hack of
+// A header and one row per tick: tick, time_s, every channel, the buttons that are
+// held, the surface's name, and for each hack of
 // hack_rows() a column of 0 and 1 with its name. NaN is an empty cell.
 std::string run_csv(const TapeRun& run, SurfaceTable surfaces);
 
