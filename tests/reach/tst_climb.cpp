@@ -14,8 +14,10 @@ bool passes(const Level& level, std::size_t stage, std::uint64_t rounds) {
     Result<ReachSearch> search = ReachSearch::begin(level, start, {});
     if (!search) throw std::runtime_error(search.error().text());
     ReachLimits limits;
-    for (limits.rounds = 5; limits.rounds <= rounds && !search->goals()[stage].found(); limits.rounds += 5)
+    for (std::uint64_t done = 5; done <= rounds && !search->goals()[stage].found(); done += 5) {
+        limits.rounds = done;
         search->run(limits);
+    }
     return search->goals()[stage].found();
 }
 
