@@ -25,6 +25,13 @@ bool same_bits(const PlayerState& a, const PlayerState& b) {
     return a == b && std::apply(same, PlayerState::vectors) && std::apply(same, PlayerState::numbers);
 }
 
+// Those that were shared last on this thread, if they are the same.
+std::shared_ptr<const MovementSettings> shared(const MovementSettings& settings) {
+    thread_local std::shared_ptr<const MovementSettings> latest;
+    if (latest == nullptr || *latest != settings) latest = std::make_shared<const MovementSettings>(settings);
+    return latest;
+}
+
 // Whether a platform is anywhere in the box during the tick, for all that is known without asking each.
 bool may_meet_platform(const MovementScene& scene, const Vec3& radii, const Aabb& box) {
     if (scene.platforms.empty()) return false;
@@ -39,12 +46,13 @@ bool may_meet_platform(const MovementScene& scene, const Vec3& radii, const Aabb
 
 const StepResult* Rest::find(const MovementScene& scene, const MovementSettings& settings,
                              const PlayerState& state, const PlayerInput& input, double dt) const {
-    const bool same =
-        known_ && scene.filter == nullptr && same_bits(state, result_.state) && dt == dt_ && same_bits(input.wish, input_.wish) &&
-        input.buttons == input_.buttons && settings == settings_ && revision(scene.collision) == world_ &&
-        scene.surfaces.data() == surfaces_.data() && scene.surfaces.size() == surfaces_.size() &&
-        scene.heightfield == heightfield_ && scene.sectors == sectors_ &&
-        scene.platforms.empty() != platforms_ && !may_meet_platform(scene, settings.radii, looked_);
+    const bool same = known_ && scene.filter == nullptr && same_bits(state, result_.state) && dt == dt_ &&
+                      same_bits(input.wish, input_.wish) && input.buttons == input_.buttons &&
+                      settings == *settings_ && revision(scene.collision) == world_ &&
+                      scene.surfaces.data() == surfaces_.data() &&
+                      scene.surfaces.size() == surfaces_.size() && scene.heightfield == heightfield_ &&
+                      scene.sectors == sectors_ && scene.platforms.empty() != platforms_ &&
+                      !may_meet_platform(scene, settings.radii, looked_);
     return same ? &result_ : nullptr;
 }
 
@@ -57,7 +65,7 @@ void Rest::note(const MovementScene& scene, const MovementSettings& settings, co
     result_ = result;
     input_ = input;
     dt_ = dt;
-    settings_ = settings;
+    settings_ = shared(settings);
     world_ = revision(scene.collision);
     surfaces_ = scene.surfaces;
     heightfield_ = scene.heightfield;

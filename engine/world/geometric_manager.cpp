@@ -39,7 +39,10 @@ void GeometricManager::on_tick(double seconds) {
     crowd_.clear();
     for (Character* character : characters_) {
         if (character->meets_others)
-            crowd_.push_back({&character->settings, character->state, character->input, &character->rest_});
+            crowd_.push_back({.settings = &character->settings,
+                              .state = character->state,
+                              .input = character->input,
+                              .rest = &character->rest_});
         else
             character->state = step(scene, character->settings, character->state, character->input, seconds,
                                     character->rest_)

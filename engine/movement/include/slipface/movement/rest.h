@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "slipface/movement/step.h"
 
@@ -28,8 +29,8 @@ class Rest {
     StepResult result_;
     PlayerInput input_;
     double dt_ = 0.0;
-    MovementSettings settings_;
-    std::uint64_t world_ = 0;  // revision() of the collision world
+    std::shared_ptr<const MovementSettings> settings_;  // many players share them
+    std::uint64_t world_ = 0;                           // revision() of the collision world
     SurfaceTable surfaces_;
     const Heightfield* heightfield_ = nullptr;
     Sectors sectors_;
@@ -38,7 +39,8 @@ class Rest {
 };
 
 // step() with the same bits: at once for a player at rest, and it notes whether the player is. `rest` is the
-// player's own; it has some 900 bytes.
+// player's own; it has some 400 bytes. Allocates when a player comes to rest whose settings are not those of
+// the last.
 StepResult step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& state,
                 const PlayerInput& input, double dt, Rest& rest);
 
