@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # course.sh [NAME...]: runs the course (docs/course.md) with all controllers, or with those named (slipface jolt physx bullet babylon rapier
 # three_octree three_mesh_bvh), and writes docs/course-table.md if all ran. Needs python3; node and npm for all but slipface and bullet,
-# libbullet-dev and nlohmann-json3-dev for bullet. Answers and verdicts of each lie in out/course. SEEDS=7,8 chooses other the runs.
+# libbullet-dev and nlohmann-json3-dev for bullet. Answers and verdicts of each lie in out/course. SEEDS=7,8 chooses other runs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/common.sh

@@ -1,6 +1,7 @@
-// Bullet's btKinematicCharacterController behind the stepping protocol (docs/course.md), set up as its CharacterDemo does: a ghost object
-// with a capsule in a discrete dynamics world, the controller added as an action; gravity, step height, slope limit and jump speed as given.
-// Its mesh is a btBvhTriangleMeshShape whose inner edges are smoothed as Bullet's manual recommends. Nothing carries the player.
+// Bullet's btKinematicCharacterController behind the stepping protocol (docs/course.md), set up as its
+// CharacterDemo does: a ghost object with a capsule in a discrete dynamics world, the controller added as an
+// action; gravity, step height, slope limit and jump speed as given. Its mesh is a btBvhTriangleMeshShape
+// whose inner edges are smoothed as Bullet's manual recommends. Nothing carries the player.
 //     c++ -O2 bullet.cpp $(pkg-config --cflags --libs bullet) -o bullet
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
@@ -21,16 +22,19 @@ struct Refused {
 
 double number(const Json& value, const std::string& place, double low = -1e6, double high = 1e6) {
     if (!value.is_number() || !(value.get<double>() >= low && value.get<double>() <= high))
-        throw Refused{place, value.is_structured() ? "a list" : value.dump(), "a number from " + std::to_string(low) + " to " + std::to_string(high)};
+        throw Refused{place, value.is_structured() ? "a list" : value.dump(),
+                      "a number from " + std::to_string(low) + " to " + std::to_string(high)};
     return value.get<double>();
 }
 const Json& member(const Json& object, const char* key, const std::string& place = "") {
-    if (!object.is_object() || !object.contains(key)) throw Refused{place.empty() ? "/" : place, "nothing", std::string("a member ") + key};
+    if (!object.is_object() || !object.contains(key))
+        throw Refused{place.empty() ? "/" : place, "nothing", std::string("a member ") + key};
     return object[key];
 }
 template <std::size_t N>
 std::array<double, N> numbers(const Json& value, const std::string& place) {
-    if (!value.is_array() || value.size() != N) throw Refused{place, "something else", std::to_string(N) + " numbers"};
+    if (!value.is_array() || value.size() != N)
+        throw Refused{place, "something else", std::to_string(N) + " numbers"};
     std::array<double, N> made{};
     for (std::size_t i = 0; i < N; ++i)
         made[i] = number(value[i], place + "/" + std::to_string(i));
@@ -45,7 +49,8 @@ btTransform pose(const Json& value, const std::string& place) {
     made.setOrigin(vector(member(value, "position", place), place + "/position"));
     if (value.contains("rotation")) {
         const auto q = numbers<4>(value["rotation"], place + "/rotation");
-        made.setRotation(btQuaternion(btScalar(q[0]), btScalar(q[1]), btScalar(q[2]), btScalar(q[3])).normalized());
+        made.setRotation(
+            btQuaternion(btScalar(q[0]), btScalar(q[1]), btScalar(q[2]), btScalar(q[3])).normalized());
     }
     return made;
 }
@@ -60,7 +65,8 @@ struct Part {
     bool moves = false;
 };
 
-bool smooth_edges(btManifoldPoint& point, const btCollisionObjectWrapper* a, int part_a, int index_a, const btCollisionObjectWrapper* b, int part_b, int index_b) {
+bool smooth_edges(btManifoldPoint& point, const btCollisionObjectWrapper* a, int part_a, int index_a,
+                  const btCollisionObjectWrapper* b, int part_b, int index_b) {
     (void)part_a, (void)index_a;
     btAdjustInternalEdgeContacts(point, b, a, part_b, index_b);
     return true;
@@ -82,9 +88,13 @@ struct Run {
 
     explicit Run(const Json& request) {
         const Json& body = member(request, "body");
-        const double radius = number(member(body, "radius", "/body"), "/body/radius", 0.01, 100), height = number(member(body, "height", "/body"), "/body/height", 0.02, 1000);
+        const double radius = number(member(body, "radius", "/body"), "/body/radius", 0.01, 100),
+                     height = number(member(body, "height", "/body"), "/body/height", 0.02, 1000);
         const Json settings = request.value("settings", Json::object());
-        const auto setting = [&](const char* key, double usual) { return settings.contains(key) ? number(settings[key], std::string("/settings/") + key, 0, 1e4) : usual; };
+        const auto setting = [&](const char* key, double usual) {
+            return settings.contains(key) ? number(settings[key], std::string("/settings/") + key, 0, 1e4)
+                                          : usual;
+        };
         half = height / 2;
         walk_speed = setting("walk_speed", 6);
         jump_speed = setting("jump_speed", 8);
@@ -101,13 +111,16 @@ struct Run {
         capsule = std::make_unique<btCapsuleShape>(btScalar(radius), btScalar(height - 2 * radius));
         ghost.setCollisionShape(capsule.get());
         ghost.setCollisionFlags(btCollisionObject::CF_CHARACTER_OBJECT);
-        controller = std::make_unique<btKinematicCharacterController>(&ghost, capsule.get(), btScalar(setting("step_height", 0.4)), btVector3(0, 1, 0));
+        controller = std::make_unique<btKinematicCharacterController>(
+            &ghost, capsule.get(), btScalar(setting("step_height", 0.4)), btVector3(0, 1, 0));
         controller->setGravity({0, -gravity, 0});
         controller->setMaxSlope(btScalar(setting("max_slope_deg", 50) * M_PI / 180));
         controller->setJumpSpeed(btScalar(jump_speed));
         controller->setFallSpeed(55);
         controller->warp(start.getOrigin());  // setting the up axis has turned the capsule
-        world.addCollisionObject(&ghost, btBroadphaseProxy::CharacterFilter, btBroadphaseProxy::StaticFilter | btBroadphaseProxy::DefaultFilter | btBroadphaseProxy::KinematicFilter);
+        world.addCollisionObject(&ghost, btBroadphaseProxy::CharacterFilter,
+                                 btBroadphaseProxy::StaticFilter | btBroadphaseProxy::DefaultFilter |
+                                     btBroadphaseProxy::KinematicFilter);
         world.addAction(controller.get());
     }
     ~Run() {
@@ -122,19 +135,23 @@ struct Run {
             part.positions.push_back(vector(position, place + "/positions"));
         for (const Json& triangle : member(mesh, "triangles", place))
             for (const double index : numbers<3>(triangle, place + "/triangles")) {
-                if (!(index >= 0 && index < double(part.positions.size()))) throw Refused{place + "/triangles", std::to_string(index), "an index of a position"};
+                if (!(index >= 0 && index < double(part.positions.size())))
+                    throw Refused{place + "/triangles", std::to_string(index), "an index of a position"};
                 part.indices.push_back(int(index));
             }
         part.moves = mesh.value("moves", false);
         if (part.indices.empty()) return;
-        part.array = std::make_unique<btTriangleIndexVertexArray>(int(part.indices.size() / 3), part.indices.data(), int(3 * sizeof(int)), int(part.positions.size()),
-                                                                  &part.positions[0][0], int(sizeof(btVector3)));
+        part.array = std::make_unique<btTriangleIndexVertexArray>(
+            int(part.indices.size() / 3), part.indices.data(), int(3 * sizeof(int)),
+            int(part.positions.size()), &part.positions[0][0], int(sizeof(btVector3)));
         part.shape = std::make_unique<btBvhTriangleMeshShape>(part.array.get(), true);
         part.edges = std::make_unique<btTriangleInfoMap>();
         btGenerateInternalEdgeInfo(part.shape.get(), part.edges.get());
-        part.body = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, part.shape.get()));
-        part.body->setCollisionFlags(part.body->getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK |
-                                     (part.moves ? btCollisionObject::CF_KINEMATIC_OBJECT : btCollisionObject::CF_STATIC_OBJECT));
+        part.body = std::make_unique<btRigidBody>(
+            btRigidBody::btRigidBodyConstructionInfo(0, nullptr, part.shape.get()));
+        part.body->setCollisionFlags(
+            part.body->getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK |
+            (part.moves ? btCollisionObject::CF_KINEMATIC_OBJECT : btCollisionObject::CF_STATIC_OBJECT));
         if (part.moves && mesh.contains("position")) part.body->setWorldTransform(pose(mesh, place));
         if (part.moves) part.body->setActivationState(DISABLE_DEACTIVATION);
         world.addRigidBody(part.body.get());
@@ -142,12 +159,15 @@ struct Run {
 
     Json step(const Json& request) {
         const double dt = number(member(request, "dt"), "/dt", 1e-4, 60);
-        const auto wish = request.contains("wish") ? numbers<2>(request["wish"], "/wish") : std::array<double, 2>{};
+        const auto wish =
+            request.contains("wish") ? numbers<2>(request["wish"], "/wish") : std::array<double, 2>{};
         const double length = std::max(1.0, std::hypot(wish[0], wish[1]));
         std::vector<std::pair<std::size_t, btTransform>> moves;
         for (const Json& one : request.value("poses", Json::array())) {
-            const double index = number(member(one, "mesh", "/poses"), "/poses/mesh", 0, double(parts.size()) - 1);
-            if (!parts[std::size_t(index)].moves) throw Refused{"/poses/mesh", std::to_string(index), "the number of a mesh that moves"};
+            const double index =
+                number(member(one, "mesh", "/poses"), "/poses/mesh", 0, double(parts.size()) - 1);
+            if (!parts[std::size_t(index)].moves)
+                throw Refused{"/poses/mesh", std::to_string(index), "the number of a mesh that moves"};
             moves.emplace_back(std::size_t(index), pose(one, "/poses"));
         }
         bool jump = false;
@@ -155,13 +175,16 @@ struct Run {
             jump = jump || button == "jump";
         for (const auto& [index, transform] : moves)
             if (parts[index].body) parts[index].body->setWorldTransform(transform);
-        controller->setWalkDirection({btScalar(wish[0] / length * walk_speed * dt), 0, btScalar(wish[1] / length * walk_speed * dt)});
+        controller->setWalkDirection(
+            {btScalar(wish[0] / length * walk_speed * dt), 0, btScalar(wish[1] / length * walk_speed * dt)});
         if (jump && !held && controller->onGround()) controller->jump(btVector3(0, btScalar(jump_speed), 0));
         held = jump;
         const btVector3 before = ghost.getWorldTransform().getOrigin();
         world.stepSimulation(btScalar(dt), 0);
         const btVector3 now = ghost.getWorldTransform().getOrigin(), v = (now - before) / btScalar(dt);
-        return {{"feet", {now.x(), now.y() - half, now.z()}}, {"velocity", {v.x(), v.y(), v.z()}}, {"grounded", controller->onGround()}};
+        return {{"feet", {now.x(), now.y() - half, now.z()}},
+                {"velocity", {v.x(), v.y(), v.z()}},
+                {"grounded", controller->onGround()}};
     }
 };
 
@@ -176,7 +199,11 @@ int main() {
             const std::string verb = member(request, "do").get<std::string>();
             answer["ok"] = verb;
             if (verb == "hello") {
-                answer.update({{"protocol", 1}, {"engine", "bullet"}, {"version", std::to_string(btGetVersion())}, {"body", "capsule"}, {"features", {"slope_limit", "steps", "moving", "jump"}}});
+                answer.update({{"protocol", 1},
+                               {"engine", "bullet"},
+                               {"version", std::to_string(btGetVersion())},
+                               {"body", "capsule"},
+                               {"features", {"slope_limit", "steps", "moving", "jump"}}});
             } else {
                 const std::string name = member(request, "run").get<std::string>();
                 answer["run"] = name;
@@ -194,9 +221,12 @@ int main() {
                 }
             }
         } catch (const Refused& refused) {
-            answer = {{"line", lines}, {"error", {{"place", refused.place}, {"found", refused.found}, {"expected", refused.expected}}}};
+            answer = {{"line", lines},
+                      {"error",
+                       {{"place", refused.place}, {"found", refused.found}, {"expected", refused.expected}}}};
         } catch (const std::exception& error) {
-            answer = {{"line", lines}, {"error", {{"place", "/"}, {"found", error.what()}, {"expected", "a request"}}}};
+            answer = {{"line", lines},
+                      {"error", {{"place", "/"}, {"found", error.what()}, {"expected", "a request"}}}};
         }
         std::cout << answer.dump() << std::endl;
     }

@@ -321,7 +321,7 @@ class Finder {
                    run_.ticks[end].time_s - run_.ticks[i].time_s < 1.0)
                 top = std::max(top, feet(end++).y());
             if (end >= m_.size() || feet(end).y() > feet(i - 1).y() + 0.4 * hop_m) continue;
-            if (!flat(i - 1, end)) continue;
+            if (!flat(i - 1, end, 0.5 * (top - feet(i - 1).y()))) continue;
             RecordedFault fault{.kind = FaultKind::hop, .first = i, .last = end};
             fault.lost_m_s = top - feet(i - 1).y();
             blame_seam(fault, fmt::format("your controller hops {}", size_text(fault.lost_m_s)));
@@ -329,7 +329,8 @@ class Finder {
             i = end;
         }
     }
-    bool flat(std::size_t first, std::size_t last) {
+    // Whether the ground below varies by less than `most` metres.
+    bool flat(std::size_t first, std::size_t last, double most) {
         double low = 1e9, high = -1e9;
         for (const std::size_t tick : {first, (first + last) / 2, last}) {
             const auto ground = around_.ground(tick, feet(tick), 2.0);
@@ -337,7 +338,7 @@ class Finder {
             const double y = around_.to_level(ground->point).y();
             low = std::min(low, y), high = std::max(high, y);
         }
-        return high - low < 3.0 * hop_m;
+        return high - low < most;
     }
 
     void jitters() {
@@ -472,8 +473,12 @@ void compare(const Level& level, LevelScene& scene, const Motion& m, MovementSet
     }
     if (ghost.ticks.size() < 3) return;
     const std::vector<RecordedFault> own = Finder(level, scene, ghost).find();
-    fault.slipface_passes = std::none_of(
-        own.begin(), own.end(), [&](const RecordedFault& f) { return f.last + begin + 3 >= fault.first; });
+    // Of its own faults count those at the same time that are of the same kind, or end the way as well.
+    fault.slipface_passes = !std::ranges::any_of(own, [&](const RecordedFault& f) {
+        const bool there = f.last + begin + 3 >= fault.first && f.first + begin <= fault.last + 3;
+        return there && (f.kind == fault.kind || f.kind == FaultKind::stop || f.kind == FaultKind::through ||
+                         f.kind == FaultKind::fall);
+    });
 }
 
 }  // namespace

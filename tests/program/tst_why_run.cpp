@@ -14,11 +14,11 @@
 namespace slipface::test {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 // Rows of tiles along +X, a metre each, of which one may lie higher, and a wall at the end: groups tile_0,
 // tile_1, ..., wall.
-struct Level {
+struct TiledLevel {
     int tiles = 24;
     int high = -1;
     double rise = 0.0, wall_at = 20.0;
@@ -55,7 +55,7 @@ struct Faults {
     std::string text;
 };
 
-Faults why(const Level& level, const std::vector<Row>& rows, bool with_wish, double rate) {
+Faults why(const TiledLevel& level, const std::vector<Row>& rows, bool with_wish, double rate) {
     const ScratchFolder folder;
     std::string csv =
         fmt::format("# slipface-run 1\n# rate {}\n{}\n", rate, with_wish ? "x,y,z,wish_x,wish_z" : "x,y,z");
@@ -102,7 +102,7 @@ TEST(WhyRun, ASnagNamesTheTileAtWhichItHappened) {
     };
     for (int round = 0; round < 12; ++round) {
         const bool seam = round % 2 == 0;
-        Level level;
+        TiledLevel level;
         level.high = seam ? -1 : 8 + static_cast<int>(random() % 6);
         level.rise = seam ? 0.0 : draw(0.008, 0.03);
         const int tile = seam ? 8 + static_cast<int>(random() % 6) : level.high;
@@ -134,7 +134,7 @@ TEST(WhyRun, ASnagNamesTheTileAtWhichItHappened) {
 
 TEST(WhyRun, AStopAtTheWallIsOneForSlipfaceToo) {
     for (const bool with_wish : {true, false}) {
-        Level level;
+        TiledLevel level;
         level.wall_at = 11.3;
         const Faults faults = why(
             level,
@@ -149,7 +149,7 @@ TEST(WhyRun, AStopAtTheWallIsOneForSlipfaceToo) {
 }
 
 TEST(WhyRun, AWayThroughTheWallIsSeen) {
-    Level level;
+    TiledLevel level;
     level.wall_at = 9.0;
     const Faults faults = why(level, walk(6.0, 2.0, 60, [](Row&, int, double&) {}), true, 60);
     ASSERT_FALSE(faults.json["faults"].empty());
@@ -167,7 +167,7 @@ TEST(WhyRun, AHopTremblingAndCreepingAreSeen) {
     EXPECT_EQ(hop.json["faults"][0]["kind"], "hop");
     EXPECT_EQ(hop.json["faults"][0]["first"], 70);
 
-    Level near_wall;
+    TiledLevel near_wall;
     near_wall.wall_at = 8.0;
     const Faults tremble = why(near_wall,
                                walk(6.0, 3.0, 60,
@@ -193,7 +193,7 @@ TEST(WhyRun, AHopTremblingAndCreepingAreSeen) {
 
 TEST(WhyRun, AxesScaleAndJsonLinesAreTheSameRun) {
     const ScratchFolder folder;
-    Level level;
+    TiledLevel level;
     level.wall_at = 9.0;
     const std::string obj = folder.write("level.obj", level.obj());
     std::string csv = "# slipface-run 1\n# axes x,z,-y\n# scale 0.01\n# position centre\nX,Y,Z\n",
@@ -210,7 +210,7 @@ TEST(WhyRun, AxesScaleAndJsonLinesAreTheSameRun) {
 
 TEST(WhyRun, BadFilesAreRefusedWithTheirLine) {
     const ScratchFolder folder;
-    const std::string obj = folder.write("level.obj", Level().obj());
+    const std::string obj = folder.write("level.obj", TiledLevel().obj());
     const struct {
         std::string text, found;
     } rows[] = {
