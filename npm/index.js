@@ -334,7 +334,8 @@ function mesh_of(mesh, matrix) {
     // A matrix that mirrors turns triangles inside out; they are turned back.
     const mirrors = e[0] * (e[5] * e[10] - e[6] * e[9]) - e[4] * (e[1] * e[10] - e[2] * e[9]) + e[8] * (e[1] * e[6] - e[2] * e[5]) < 0;
     for (let i = 0; mirrors && i < indices.length; i += 3) [indices[i + 1], indices[i + 2]] = [indices[i + 2], indices[i + 1]];
-    return { positions, indices, types: mesh.types, groups: mesh.groups };
+    // A BufferGeometry's own groups are ranges of materials.
+    return attribute === undefined ? { positions, indices, types: mesh.types, groups: mesh.groups } : { positions, indices };
 }
 
 // Several meshes as one, each triangle with its mesh's type and groups.
@@ -343,7 +344,7 @@ function shape_of(mesh) {
     return { positions, indices: indices ?? Uint32Array.from({ length: positions.length / 3 }, (_, i) => i) };
 }
 export function merge(meshes) {
-    const parts = meshes.map((mesh) => ({ type: mesh.type ?? 0, groups: mesh.groups ?? NONE, ...shape_of(mesh) }));
+    const parts = meshes.map((mesh) => ({ type: mesh.type ?? 0, groups: (mesh.attributes === undefined ? mesh.groups : undefined) ?? NONE, ...shape_of(mesh) }));
     const sum = (length) => parts.reduce((total, part) => total + length(part), 0);
     const positions = new Float32Array(sum((part) => part.positions.length));
     const indices = new Uint32Array(sum((part) => part.indices.length));

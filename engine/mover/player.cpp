@@ -183,8 +183,8 @@ class Caller final : public TraceSink {
     const MovementScene& scene_;
 };
 
-// What a caller asks of a step besides the player. Contacts are found here and then written where the caller wants
-// them.
+// What a caller asks of a step besides the player. Contacts are found here and then written where the caller
+// wants them.
 class Report {
   public:
     explicit Report(slipface_report* to) : to_(to) {

@@ -1,10 +1,10 @@
 // node check.js MODULES PICTURES: opens three.html in a headless Chromium with the playwright-core of MODULES, waits until the character has
 // walked up the stairs, and leaves a picture.
-import { join } from "node:path";
+import { join, resolve } from "node:path";
 import { begin, options, serve } from "../../web/check/browser.mjs";
 
 const [modules, pictures] = process.argv.slice(2);
-const checks = begin(modules, pictures);
+const checks = begin(resolve(modules), pictures);
 const server = serve(new URL("..", import.meta.url).pathname);
 const browser = await checks.chromium.launch(options);
 const page = await browser.newPage({ viewport: { width: 960, height: 600 } });

@@ -51,7 +51,7 @@ test("a character falls, lands, walks to the wall and touches it", () => {
 
 test("three.js geometry, with and without an index, placed by a matrix that mirrors", () => {
     const attribute = (array) => ({ count: array.length / 3, getX: (i) => array[3 * i], getY: (i) => array[3 * i + 1], getZ: (i) => array[3 * i + 2] });
-    const indexed = { attributes: { position: attribute(floor.positions) }, index: { array: Uint16Array.from(floor.indices) } };
+    const indexed = { attributes: { position: attribute(floor.positions) }, index: { array: Uint16Array.from(floor.indices) }, groups: [{ start: 0, count: 6 }] };
     const corners = [...floor.indices].flatMap((i) => [...floor.positions.slice(3 * i, 3 * i + 3)]);
     const plain = { attributes: { position: attribute(corners) }, index: null };
     const up = [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 2, 0, 1];
@@ -60,6 +60,8 @@ test("three.js geometry, with and without an index, placed by a matrix that mirr
         const hit = world.ray({ x: 1, y: 9, z: 1 }, { x: 0, y: -1, z: 0 });
         assert.ok(Math.abs(hit.t - 7) < 1e-9);
         assert.equal(hit.back, false);
+        assert.equal(new World(geometry).bounds.triangles, 2);
+        assert.equal(new World(merge([geometry])).addPlatform(geometry), 0);
         world.dispose();
     }
 });

@@ -21,7 +21,7 @@ struct After {
 };
 
 After after_step(const MovementScene& scene, const MovementSettings& settings, const PlayerState& before,
-          const PlayerInput& input) {
+                 const PlayerInput& input) {
     std::array<StepContact, 32> room;
     StepContacts contacts{room};
     After now{step(scene, settings, before, input, tick, nullptr, &contacts).state, {}, {}};
@@ -52,8 +52,8 @@ Lab random_lab(Random& random) {
 
 }  // namespace
 
-// Nothing changes where contacts are asked for; each of them was touched by a sweep of the trace; a smaller room has the
-// first of them; nothing is allocated.
+// Nothing changes where contacts are asked for; each of them was touched by a sweep of the trace; a smaller
+// room has the first of them; nothing is allocated.
 TEST(StepContacts, AreThoseOfTheMove) {
     std::size_t seen = 0, cut = 0;
     for (int round = 0; round < 40; ++round) {
@@ -70,8 +70,7 @@ TEST(StepContacts, AreThoseOfTheMove) {
             std::array<StepContact, 32> room;
             StepContacts contacts{room};
             const long before = allocation_count();
-            const PlayerState now =
-                step(lab.scene(), settings, state, input, tick, nullptr, &contacts).state;
+            const PlayerState now = step(lab.scene(), settings, state, input, tick, nullptr, &contacts).state;
             ASSERT_EQ(allocation_count(), before);
             ASSERT_EQ(now, plain);
             for (const StepContact& one : contacts.found()) {
