@@ -29,11 +29,11 @@ enum class Grip { none, first, last, whole, draw, choose };
 struct Hand {
     Grip grip = Grip::none;
     ButtonSet buttons;
-    Press press{};                       // as it was; where it began, while one is drawn or chosen
+    TickRange press{};                   // as it was; where it began, while one is drawn or chosen
     std::size_t tick = 0;                // under the mouse, at the beginning
     std::shared_ptr<const Tape> tape{};  // as it was
     bool changed = false;                // one step of undo was made
-    Press chosen{};                      // ticks of the stick that the pad bends
+    TickRange chosen{};                  // ticks of the stick that the pad bends
     bool bending = false, bent = false;  // on the pad
 };
 
@@ -72,9 +72,9 @@ std::size_t tick_under(const Lab& lab, const LabTrack& track, float x) {
 }
 
 // Which part of which press is at `x`.
-Grip grip_at(const std::vector<Press>& presses, const LabTrack& track, float x, Press& found) {
+Grip grip_at(const std::vector<TickRange>& presses, const LabTrack& track, float x, TickRange& found) {
     const float reach = edge * ui::scale();
-    for (const Press& press : presses) {
+    for (const TickRange& press : presses) {
         const float a = track.x(static_cast<double>(press.first) - 0.5);
         const float b = track.x(static_cast<double>(press.last) - 0.5);
         if (x < a - reach || x > b + reach) continue;
@@ -89,13 +89,13 @@ Grip grip_at(const std::vector<Press>& presses, const LabTrack& track, float x, 
 }
 
 // Where the press goes if the mouse went from `from` to `to`.
-Press dragged(const Hand& now, std::size_t to, std::size_t ticks) {
+TickRange dragged(const Hand& now, std::size_t to, std::size_t ticks) {
     const auto moved = [&](std::size_t tick) {
         const auto by = static_cast<std::ptrdiff_t>(to) - static_cast<std::ptrdiff_t>(now.tick);
         return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(tick) + by, 0,
                                                                    static_cast<std::ptrdiff_t>(ticks)));
     };
-    Press press = now.press;
+    TickRange press = now.press;
     switch (now.grip) {
         case Grip::first: press.first = std::min(moved(press.first), press.last - 1); break;
         case Grip::last: press.last = std::max(moved(press.last), press.first + 1); break;
@@ -112,7 +112,7 @@ Press dragged(const Hand& now, std::size_t to, std::size_t ticks) {
     return press;
 }
 
-std::string press_text(const Lab& lab, const Press& press) {
+std::string press_text(const Lab& lab, const TickRange& press) {
     return fmt::format("ticks {} to {}, {:.3f} s", press.first, press.last - 1,
                        static_cast<double>(press.last - press.first) * lab.tape().dt);
 }
@@ -121,11 +121,11 @@ void drag_button(Editor& editor, const LabTrack& track, const Lane& lane) {
     Lab& lab = editor.lab;
     Hand& now = hand();
     const ImGuiIO& io = ImGui::GetIO();
-    const std::vector<Press> presses = presses_of(lab.tape(), lane.buttons);
-    Press under;
+    const std::vector<TickRange> presses = presses_of(lab.tape(), lane.buttons);
+    TickRange under;
     const Grip grip = grip_at(presses, track, io.MousePos.x, under);
     if (ImGui::IsItemActivated()) {
-        Press held;
+        TickRange held;
         const Grip pressed = grip_at(presses, track, io.MouseClickedPos[ImGuiMouseButton_Left].x, held);
         now.grip = pressed == Grip::none ? Grip::draw : pressed;
         now.buttons = lane.buttons;
@@ -136,8 +136,8 @@ void drag_button(Editor& editor, const LabTrack& track, const Lane& lane) {
     }
     if (ImGui::IsItemActive() && now.buttons == lane.buttons && now.tape &&
         ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
-        const Press press = dragged(now, tick_under(lab, track, io.MousePos.x), now.tape->tick_count());
-        const Press from = now.grip == Grip::draw ? Press{} : now.press;
+        const TickRange press = dragged(now, tick_under(lab, track, io.MousePos.x), now.tape->tick_count());
+        const TickRange from = now.grip == Grip::draw ? TickRange{} : now.press;
         change(editor, move_press(*now.tape, lane.buttons, from, press));
         lab.seek(press.first);
     } else if (ImGui::IsItemDeactivated()) {
@@ -307,7 +307,7 @@ void draw_stick_lane(ImDrawList& list, const Lab& lab, const LabTrack& track, fl
 
 void draw_presses(ImDrawList& list, const Lab& lab, const LabTrack& track, const Lane& lane, float top,
                   float bottom) {
-    for (const Press& press : presses_of(lab.tape(), lane.buttons)) {
+    for (const TickRange& press : presses_of(lab.tape(), lane.buttons)) {
         const float a = track.x(static_cast<double>(press.first) - 0.5);
         const float b = std::max(track.x(static_cast<double>(press.last) - 0.5), a + ui::scale());
         if (b < track.min.x || a > track.max.x) continue;

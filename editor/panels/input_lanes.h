@@ -1,5 +1,5 @@
-// The inputs of the lab's tape as lanes of the timeline, changed by the mouse: one for the stick, one for each
-// button that the tape holds.
+// The inputs of the lab's tape as lanes of the timeline, changed by the mouse: one for the stick, one for
+// each button that the tape holds.
 #pragma once
 
 #include "panels/lab_track.h"

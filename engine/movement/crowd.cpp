@@ -85,7 +85,8 @@ std::optional<Touch> first_touch(const Body& a, const Body& b) {
 // Where the ends are no more than `distance` apart.
 std::optional<Touch> end_touch(const Body& a, const Body& b, double distance) {
     const Vec3 q = apart(a, a.end, b, b.end);
-    return meet(a, b) && q.squaredNorm() < distance * distance ? std::optional(touch_at(a, b, q)) : std::nullopt;
+    return meet(a, b) && q.squaredNorm() < distance * distance ? std::optional(touch_at(a, b, q))
+                                                               : std::nullopt;
 }
 
 // How far the end of `a` has to go along `direction` (unit) to leave `b`, m; 0 if it is outside.
@@ -177,7 +178,8 @@ PlayerState stepped(const MovementScene& whole, CrowdMember& member, double dt) 
     const MovementScene scene = seen_by(whole, member);
     return member.rest != nullptr && member.contacts == nullptr
                ? step(scene, *member.settings, member.state, member.input, dt, *member.rest).state
-               : step(scene, *member.settings, member.state, member.input, dt, nullptr, member.contacts).state;
+               : step(scene, *member.settings, member.state, member.input, dt, nullptr, member.contacts)
+                     .state;
 }
 
 constexpr std::size_t grain = 32;

@@ -76,7 +76,7 @@ class Roller {
         cursor.state = node.state;
         cursor.tick = node.tick;
         cursor.cell = node.cell;
-        if (is_held(node.state)) cursor.face = node.state.ground_face;
+        if (is_held(node.state) && !node.state.hanging) cursor.face = node.state.ground_face;
         const ReachNode& last = known_.archive.nodes[last_held()];
         cursor.held_at = position_in_scene(scenes_.at(last.tick), last.state);
         return cursor;
@@ -326,7 +326,8 @@ class Roller {
         cursor.air = held ? 0 : cursor.air + 1;
         FaceId news = no_id;
         if (held) cursor.held_at = position_in_scene(now, state);
-        if (held && state.ground_face != cursor.face) {
+        // Who hangs from a ledge is not on it yet.
+        if (held && !state.hanging && state.ground_face != cursor.face) {
             cursor.face = state.ground_face;
             if (cursor.face < known_.faces.size() && is_faster(cursor, known_.faces[cursor.face]))
                 news = cursor.face;

@@ -16,4 +16,9 @@ Demo demo_of(Level level, const Vec3& spawn, const MovementSettings& on, const c
 // Plain ground in another colour, to make parts visible: it applies to faces of a material "NAME__name".
 SurfaceType painted(const char* name, const std::array<float, 3>& color);
 
+// The height of the centre of a player who stands on level ground at `y`, m.
+inline double standing_on_flat(const MovementSettings& s, double y) {
+    return y + s.radii.y() + s.skin;
+}
+
 }  // namespace slipface

@@ -11,10 +11,6 @@ namespace slipface {
 
 namespace {
 
-double standing_on_flat(const MovementSettings& s, double y) {
-    return y + s.radii.y() + s.skin;
-}
-
 // Two ledges with a gap of `gap` metres along -Z from z = 0.
 Shapes ledges(double gap) {
     Shapes shapes;

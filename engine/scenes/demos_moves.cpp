@@ -6,10 +6,6 @@ namespace slipface {
 
 namespace {
 
-double standing_on_flat(const MovementSettings& s, double y) {
-    return y + s.radii.y() + s.skin;
-}
-
 const auto move_rows = std::to_array<DemoInfo>({
     {"dash", "dash", "Dash",
      "A gap of 7 m. Off: the jump ends in it. On: a dash at the top of the jump reaches the other side.",
@@ -49,7 +45,7 @@ const auto move_rows = std::to_array<DemoInfo>({
          shapes.material("brick").box({-3, 0, -6}, {3, 2.8, -1});
          return demo_of(
              shapes.level(), {0, standing_on_flat(on, 0), 3}, on,
-             "5 wish 0,0\n32 wish 0,-1\n40 wish 0,-1 jump\n20 wish 0,0\n60 wish 0,-1\n20 wish 0,0\n",
+             "5 wish 0,0\n32 wish 0,-1\n40 wish 0,-1 jump\n20 wish 0,0\n25 wish 0,-1\n20 wish 0,0\n",
              {9, 4, 7}, {0, 1.4, -1});
      }},
     {"drop-through", "drop_through", "Drop through",

@@ -13,10 +13,20 @@ namespace {
 
 // The first face between two points that stops a player on this way, or no_id.
 template <class World>
-FaceId face_between(const World& world, const Vec3& from, const Vec3& to) {
+FaceId face_between(const World& world, const Vec3& from, const Vec3& to, const QueryFilter& met) {
     if (from == to) return no_id;
-    const std::optional<RayHit> hit = cast_ray(world, from, to - from, 1.0, RayStops::as_movement);
+    const std::optional<RayHit> hit = cast_ray(world, from, to - from, 1.0, RayStops::as_movement, met);
     return hit ? hit->face : no_id;
+}
+
+// What a player meets in such a step: one who drops through one-sided faces meets none of them.
+QueryFilter met_by(const MovementScene& scene, const MovementSettings& settings, const PlayerState& before,
+                   const PlayerInput& input) {
+    QueryFilter met;
+    if (!settings.drop_through || !(before.dropping || input.buttons.has(Button::drop))) return met;
+    for (std::size_t i = 0; i < scene.surfaces.size() && i < met.ignored.size(); ++i)
+        met.ignored[i] = scene.surfaces[i].one_sided;
+    return met;
 }
 
 // The corners of the way that a step took from `from`, as its sweeps tell it; the last is `after`. Hacks try
@@ -52,9 +62,9 @@ std::vector<Vec3> traced_path(const MovementScene& scene, const MovementSettings
     return path;
 }
 
-bool path_is_clear(const PosedWorld& world, Vec3 at, std::span<const Vec3> path) {
+bool path_is_clear(const PosedWorld& world, Vec3 at, std::span<const Vec3> path, const QueryFilter& met) {
     for (const Vec3& point : path) {
-        if (face_between(world, at, point) != no_id) return false;
+        if (face_between(world, at, point, met) != no_id) return false;
         at = point;
     }
     return true;
@@ -76,13 +86,13 @@ struct Passage {
     bool moves;
 };
 
-bool is_excused(const Passage& passage, std::span<const Vec3> path) {
+bool is_excused(const Passage& passage, std::span<const Vec3> path, const QueryFilter& met) {
     const auto& [world, from, face, moves] = passage;
-    if (path_is_clear(world, from, path)) return true;
+    if (path_is_clear(world, from, path, met)) return true;
     // Pushes come first in a trace and do not see the platform that pushes: in its frame all of them are one
     // way, from where it set out to where they end, which is some corner of the way.
     for (std::size_t pushed = 1; moves && pushed < path.size(); ++pushed) {
-        if (path_is_clear(world, from, path.subspan(pushed))) return true;
+        if (path_is_clear(world, from, path.subspan(pushed), met)) return true;
     }
     return false;
 }
@@ -106,15 +116,16 @@ std::optional<CheckFailure> passed_through(const MovementScene& scene, std::span
                                            const PlayerInput& input, double dt, const Vec3& after,
                                            Against against) {
     const Vec3 from = position_in_scene(scene, before);
+    const QueryFilter met = met_by(scene, settings, before, input);
     std::vector<Vec3> path;
     const auto judge = [&](const Passage& passage) -> std::optional<CheckFailure> {
         if (passage.face == no_id) return std::nullopt;
         if (path.empty()) path = traced_path(scene, settings, before, input, dt, from, after);
-        if (is_excused(passage, path)) return std::nullopt;
+        if (is_excused(passage, path, met)) return std::nullopt;
         return CheckFailure{(after - passage.from).norm(), passage.face};
     };
     if (const auto failure =
-            judge({PosedWorld(scene.collision), from, face_between(scene.collision, from, after), false}))
+            judge({PosedWorld(scene.collision), from, face_between(scene.collision, from, after, met), false}))
         return failure;
     if (against == Against::what_stands_still) return std::nullopt;
     for (std::size_t i = 0; i < scene.platforms.size(); ++i) {
@@ -122,7 +133,7 @@ std::optional<CheckFailure> passed_through(const MovementScene& scene, std::span
         const Vec3 carried = rides[i].apply(from);
         if (!is_near(part, carried, after, Vec3::Zero())) continue;
         const PosedWorld world = part.at_end();
-        if (const auto failure = judge({world, carried, face_between(world, carried, after), true}))
+        if (const auto failure = judge({world, carried, face_between(world, carried, after, met), true}))
             return failure;
     }
     return std::nullopt;

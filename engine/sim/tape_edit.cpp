@@ -54,8 +54,8 @@ std::vector<StickSpan> stick_spans(const Tape& tape) {
     return spans;
 }
 
-std::vector<Press> presses_of(const Tape& tape, ButtonSet buttons) {
-    std::vector<Press> presses;
+std::vector<TickRange> presses_of(const Tape& tape, ButtonSet buttons) {
+    std::vector<TickRange> presses;
     std::size_t tick = 0;
     for (const TapeSegment& segment : tape.segments) {
         const std::size_t end = tick + static_cast<std::size_t>(std::max(segment.ticks, 0));
@@ -91,7 +91,7 @@ Tape with_buttons(const Tape& tape, std::size_t first, std::size_t last, ButtonS
     });
 }
 
-Tape move_press(const Tape& tape, ButtonSet buttons, const Press& from, const Press& to) {
+Tape move_press(const Tape& tape, ButtonSet buttons, const TickRange& from, const TickRange& to) {
     return with_buttons(with_buttons(tape, from.first, from.last, buttons, false), to.first, to.last, buttons,
                         true);
 }

@@ -89,20 +89,20 @@ TEST(C, StepsGiveTheBitsOfCppAndTheSameTrace) {
 }
 
 TEST(C, WhatIsNoLevelIsRefusedInWords) {
-    slipface_error error;
+    slipface_error said;
     slipface_world world{};
     slipface_settings settings{};
-    EXPECT_EQ(slipface_world_from_level("/no/such.obj", &world, &error), SLIPFACE_CANNOT_READ);
-    EXPECT_NE(std::strstr(error.text, "no such"), nullptr) << error.text;
-    EXPECT_EQ(slipface_settings_from_file("/no/such.json", &settings, &error), SLIPFACE_CANNOT_READ);
+    EXPECT_EQ(slipface_world_from_level("/no/such.obj", &world, &said), SLIPFACE_CANNOT_READ);
+    EXPECT_NE(std::strstr(said.text, "no such"), nullptr) << said.text;
+    EXPECT_EQ(slipface_settings_from_file("/no/such.json", &settings, &said), SLIPFACE_CANNOT_READ);
     OK(slipface_settings_from_file(SLIPFACE_SOURCE_DIR "/assets/presets/momentum.json", &settings, &error));
     double speed = 0.0;
     OK(slipface_settings_get(settings, "walk_speed", &speed, &error));
     EXPECT_EQ(speed, 9.0);
     const slipface_triangles nothing{sizeof nothing, nullptr, 0, nullptr, 0, nullptr, nullptr};
     OK(slipface_world_from_triangles(&nothing, &world, &error));
-    EXPECT_EQ(slipface_world_set_time(world, 0, 0.1, &error), SLIPFACE_WRONG_ARGUMENT);
-    EXPECT_NE(std::strstr(error.text, "triangles"), nullptr) << error.text;
+    EXPECT_EQ(slipface_world_set_time(world, 0, 0.1, &said), SLIPFACE_WRONG_ARGUMENT);
+    EXPECT_NE(std::strstr(said.text, "triangles"), nullptr) << said.text;
     OK(slipface_world_free(world, &error));
     OK(slipface_settings_free(settings, &error));
 }

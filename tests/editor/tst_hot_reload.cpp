@@ -40,7 +40,7 @@ TEST_F(HotReload, ReadsAChangedFileAndStaysSaved) {
     seconds(3);
     EXPECT_EQ(document().history().back().name, "Reload grid.obj");
     EXPECT_FALSE(document().dirty()) << "the level file says the same as before";
-    EXPECT_NE(editor.status.find("1 exact"), std::string::npos) << editor.status;
+    EXPECT_NE(editor.status.find("All paint kept"), std::string::npos) << editor.status;
     EXPECT_FALSE(editor.message);
 }
 

@@ -222,7 +222,7 @@ TEST_F(LabTest, InputsAreChangedAndUndoneInOrder) {
     const auto redo = [&] { run_command(editor, "edit.redo"); };
     const std::uint64_t hash = lab.runs()[0].run.hash();
     lab.seek(50);
-    ASSERT_EQ(presses(), (std::vector<Press>{{30, 35}}));
+    ASSERT_EQ(presses(), (std::vector<TickRange>{{30, 35}}));
     ASSERT_TRUE(lab.edit(*editor.document, move_press(lab.tape(), jump, {30, 35}, {36, 41})));
     ASSERT_TRUE(lab.edit(*editor.document, move_press(lab.tape(), jump, {36, 41}, {40, 45}), true));
     finish();
@@ -232,18 +232,18 @@ TEST_F(LabTest, InputsAreChangedAndUndoneInOrder) {
     set("walk_speed=4");
     ASSERT_TRUE(lab.edit(*editor.document, with_buttons(lab.tape(), 60, 62, jump, true)));
     undo();
-    EXPECT_EQ(presses(), (std::vector<Press>{{40, 45}}));
+    EXPECT_EQ(presses(), (std::vector<TickRange>{{40, 45}}));
     EXPECT_EQ(editor.document->level().movement.walk_speed, 4.0);
     undo();
     EXPECT_NE(editor.document->level().movement.walk_speed, 4.0);
     undo();
-    EXPECT_EQ(presses(), (std::vector<Press>{{30, 35}}));
+    EXPECT_EQ(presses(), (std::vector<TickRange>{{30, 35}}));
     finish();
     EXPECT_EQ(lab.runs()[0].run.hash(), hash);
     redo();
     redo();
     redo();
-    EXPECT_EQ(presses(), (std::vector<Press>{{40, 45}, {60, 62}}));
+    EXPECT_EQ(presses(), (std::vector<TickRange>{{40, 45}, {60, 62}}));
     EXPECT_EQ(editor.document->level().movement.walk_speed, 4.0);
 
     const Tape before = lab.tape();

@@ -140,6 +140,59 @@ TEST(Mover, QueriesGiveTheBitsOfCpp) {
     EXPECT_GT(hits, 200);
 }
 
+// Every button and every member of a player: with all abilities on, the same state as in C++ in each tick.
+TEST(Mover, ButtonsAndAbilitiesAreThoseOfCpp) {
+    Random random(23);
+    const Twin twin(random);
+    slipface_world world{};
+    slipface_settings settings{};
+    OK(slipface_world_from_triangles(&twin.view, &world, &error));
+    OK(slipface_settings_new("platformer", &settings, &error));
+    MovementSettings values;
+    for (const char* ability : {"air_jump=on", "wall_slide=on", "wall_jump=on", "dash=on", "crouch=on",
+                                "ledge_grab=on", "drop_through=on", "glide=on"}) {
+        OK(slipface_settings_set(settings, ability, &error));
+        ASSERT_TRUE(set_setting(values, ability).ok());
+    }
+    const std::vector<SurfaceType> surfaces = preset_surface_types();
+    const CollisionWorld collision = twin.world(surfaces);
+    const MovementScene scene{.collision = collision, .surfaces = surfaces};
+    std::uint32_t pressed = 0, crouched = 0, dashed = 0;
+    for (int life = 0; life < 40; ++life) {
+        const Vec3 start = Vec3(0, 3, 0) + random.in_box(2);
+        slipface_player player;
+        OK(slipface_player_at(world, c_of(start), &player, &error));
+        PlayerState state;
+        put_in_scene(scene, start, state);
+        slipface_input input{sizeof input, 0, 0, 0};
+        for (int tick = 0; tick < 120; ++tick) {
+            if (tick % 10 == 0)
+                input = {sizeof input, static_cast<std::uint32_t>(random.below(32)), random.uniform(-1, 1),
+                         random.uniform(-1, 1)};
+            PlayerInput same_input{.wish = {input.wish_x, input.wish_z}};
+            same_input.buttons.bits = input.buttons;
+            OK(slipface_step(world, settings, &player, &input, 1.0 / 60, nullptr, nullptr, &player, &error));
+            state = step(scene, values, state, same_input, 1.0 / 60).state;
+            ASSERT_TRUE(same(player.position, state.position) && same(player.velocity, state.velocity));
+            for (std::size_t i = 0; i < PlayerState::numbers.size(); ++i)
+                ASSERT_EQ(player.numbers[i], state.*PlayerState::numbers[i]) << i;
+            for (std::size_t i = 0; i < PlayerState::counts.size(); ++i)
+                ASSERT_EQ(player.counts[i], state.*PlayerState::counts[i]) << i;
+            for (std::size_t i = 0; i < PlayerState::flags.size(); ++i)
+                ASSERT_EQ(((player.flags >> i) & 1U) != 0, state.*PlayerState::flags[i]) << i;
+            ASSERT_EQ((player.flags & SLIPFACE_CROUCHED) != 0, state.crouched);
+            pressed |= input.buttons;
+            crouched += (player.flags & SLIPFACE_CROUCHED) != 0 ? 1U : 0U;
+            dashed += state.move_s > 0 ? 1U : 0U;
+        }
+    }
+    EXPECT_EQ(pressed, 31U);
+    EXPECT_GT(crouched, 200U);
+    EXPECT_GT(dashed, 50U);
+    OK(slipface_world_free(world, &error));
+    OK(slipface_settings_free(settings, &error));
+}
+
 TEST(Mover, ManyPlayersMoveAsEachAlone) {
     Random random(3);
     const Twin twin(random);

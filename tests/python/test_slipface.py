@@ -152,7 +152,8 @@ class Movement(unittest.TestCase):
     def test_buttons_reach_the_abilities(self):
         square = slipface.World(*SQUARE)
         settings = slipface.Settings("platformer", dash=True, crouch=True, dash_speed=12, dash_time=0.25)
-        begin = square.player((0, 0.902, 0))
+        begin = square.step(square.player((0, 0.902, 0)), settings)
+        self.assertTrue(begin.grounded)
         self.assertFalse(begin.crouched or begin.hanging or begin.wants_to_stand)
         low = square.step(begin, settings, buttons=["crouch"])
         self.assertTrue(low.crouched)

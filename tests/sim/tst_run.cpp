@@ -1,6 +1,8 @@
 // Runs: the same bits as simulate(), from any tick on.
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "sim/stripes.h"
 #include "slipface/base/text.h"
 #include "slipface/sim/channels.h"

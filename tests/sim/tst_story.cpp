@@ -90,7 +90,7 @@ void add_response(Saying& saying, const ResponseRecord& response) {
                                                     {Rule::stick, "Stuck"},
                                                     {Rule::straight_ahead, "Continued straight ahead"},
                                                     {Rule::stop, "Stopped"},
-                                                    {Rule::keep_energy, "Deflected along it without loss"},
+                                                    {Rule::keep_energy, "Turned along it at full speed"},
                                                     {Rule::crease, "Slid along the crease"}};
     // What a landing leaves is walked.
     const bool lands = response.rule == Rule::stop && !response.remainder_after.isZero(0.0);

@@ -122,7 +122,7 @@ TEST(TapeEdit, SpansAndPressesCoverTheTape) {
         }
         EXPECT_EQ(tick, inputs.size());
         std::vector<bool> held(inputs.size());
-        for (const Press& press : presses_of(tape, jump)) {
+        for (const TickRange& press : presses_of(tape, jump)) {
             ASSERT_LT(press.first, press.last);
             std::fill(held.begin() + static_cast<std::ptrdiff_t>(press.first),
                       held.begin() + static_cast<std::ptrdiff_t>(press.last), true);
@@ -140,8 +140,8 @@ TEST(TapeEdit, AMovedPressKeepsOthers) {
                     {.wish = {0, -1},
                      .buttons = ButtonSet(Button::jump, i >= 5 && i < 9) | ButtonSet(Button::dash, i >= 7)});
     const Tape moved = move_press(tape, jump, {5, 9}, {12, 14});
-    EXPECT_EQ(presses_of(moved, jump), (std::vector<Press>{{12, 14}}));
-    EXPECT_EQ(presses_of(moved, Button::dash), (std::vector<Press>{{7, 20}}));
+    EXPECT_EQ(presses_of(moved, jump), (std::vector<TickRange>{{12, 14}}));
+    EXPECT_EQ(presses_of(moved, Button::dash), (std::vector<TickRange>{{7, 20}}));
     EXPECT_EQ(buttons_of(moved), ButtonSet(Button::jump) | ButtonSet(Button::dash));
 }
 
