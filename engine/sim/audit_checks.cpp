@@ -124,8 +124,8 @@ std::optional<CheckFailure> passed_through(const MovementScene& scene, std::span
         if (is_excused(passage, path, met)) return std::nullopt;
         return CheckFailure{(after - passage.from).norm(), passage.face};
     };
-    if (const auto failure =
-            judge({PosedWorld(scene.collision), from, face_between(scene.collision, from, after, met), false}))
+    if (const auto failure = judge(
+            {PosedWorld(scene.collision), from, face_between(scene.collision, from, after, met), false}))
         return failure;
     if (against == Against::what_stands_still) return std::nullopt;
     for (std::size_t i = 0; i < scene.platforms.size(); ++i) {
