@@ -13,8 +13,8 @@
 namespace slipface::cli {
 
 struct TapeOptions {
-    std::filesystem::path level;  // or a capsule, which has its tape
-    std::filesystem::path tape;   // empty: the capsule's
+    std::filesystem::path level;             // or a capsule, which has its tape
+    std::filesystem::path tape;              // empty: the capsule's
     std::vector<std::string> settings = {};  // "name=value"; override the level's and the tape's
     std::optional<std::string> preset = {};  // name or file; replaces the level's and the tape's settings
     std::string spawn = {};                  // name of a spawn; replaces the tape's start
@@ -26,8 +26,8 @@ struct TapeOnLevel {
     MovementSettings settings;
     Vec3 start = Vec3::Zero();
     LevelScene scene;
-    Warnings warnings;  // the tape was recorded on another level
-    std::string source;     // of the tape, for messages: its file, or the capsule
+    Warnings warnings;   // the tape was recorded on another level
+    std::string source;  // of the tape, for messages: its file, or the capsule
 };
 
 // Whether the level is a capsule, which has its tape.

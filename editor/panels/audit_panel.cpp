@@ -35,9 +35,7 @@ void start_row(Editor& editor) {
         ImGui::TableNextColumn();
         end_property_rows();
     }
-    ui::checkbox(
-        "Start everywhere", &wanted.everywhere,
-        "Start walkers everywhere the player can get");
+    ui::checkbox("Start everywhere", &wanted.everywhere, "Start walkers everywhere the player can get");
     if (ui::button("Run audit", "Run the walkers in the background")) {
         editor.audit = AuditJob::start(*editor.document, wanted);
     }

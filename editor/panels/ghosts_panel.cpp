@@ -46,8 +46,7 @@ void run_rows(Editor& editor) {
         ui::record_last_item("Shown", true, run.shown);
         ui::tooltip("Draw this run in the view and on the timeline");
         ImGui::SameLine();
-        const float room =
-            ImGui::GetContentRegionAvail().x - (is_removable(run) ? 4.2f * em : 0.0f);
+        const float room = ImGui::GetContentRegionAvail().x - (is_removable(run) ? 4.2f * em : 0.0f);
         const ImVec2 text = ImGui::GetCursorScreenPos();
         if (ImGui::Selectable("##tell", lab.explained() == i, 0, {room, ImGui::GetFrameHeight()}))
             lab.explain(i);
@@ -113,7 +112,8 @@ void side_by_side(Editor& editor) {
     ui::muted_text(("The stories of " + tick_text(lab, lab.cursor())).c_str());
     const std::vector<StoryLine> stories[2] = {
         describe(lab.runs()[0].run.trace(lab.scene(*editor.document, lab.runs()[0]), lab.cursor()), names),
-        describe(lab.runs()[other].run.trace(lab.scene(*editor.document, lab.runs()[other]), lab.cursor()), names)};
+        describe(lab.runs()[other].run.trace(lab.scene(*editor.document, lab.runs()[other]), lab.cursor()),
+                 names)};
     if (!ImGui::BeginTable("stories", 2, ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchSame))
         return;
     ImGui::TableNextRow();
