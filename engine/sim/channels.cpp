@@ -47,7 +47,7 @@ constexpr RunChannel channels[] = {
          return sample.position.y() - body_radii(run.settings(), {.crouched = sample.crouched}).y();
      }},
     {"vertical_speed", "Vertical speed", "m/s", "Upwards; at rest 0", false,
-     [](const TapeRun& run, std::size_t tick) { return at(run, tick).motion().y(); }},
+     [](const TapeRun& run, std::size_t tick) { return at(run, tick).motion().y() + 0.0; }},
     {"energy", "Energy", "J/kg", "Kinetic energy plus potential energy above the start, per kilogram", false,
      [](const TapeRun& run, std::size_t tick) {
          const TickSample& sample = at(run, tick);

@@ -116,12 +116,12 @@ std::uint64_t hacks_acted(const TraceRecord& record) {
     return 0;
 }
 
-Vec3 motion_velocity(const Vec3& velocity, bool grounded, const Vec3& ground_normal) {
-    if (!grounded || !(ground_normal.y() > 1e-6)) return velocity;
-    // Along the ground: as fast sideways, and as steep as the ground is that way.
-    const double climb =
-        -(ground_normal.x() * velocity.x() + ground_normal.z() * velocity.z()) / ground_normal.y();
-    return {velocity.x(), climb + 0.0, velocity.z()};
+Vec3 TickSample::motion() const {
+    PlayerState state;
+    state.velocity = velocity;
+    state.grounded = grounded;
+    state.ground_normal = ground_normal;
+    return motion_velocity(state);
 }
 
 TapeRun::TapeRun(std::shared_ptr<const Tape> tape, const MovementSettings& settings, const Vec3& start)

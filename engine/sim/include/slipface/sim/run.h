@@ -19,13 +19,6 @@ std::optional<std::size_t> hack_row(std::string_view name);
 // response, or by a push.
 std::uint64_t hacks_acted(const TraceRecord& record);
 
-// The velocity as a person sees it: that of a player on the ground without what presses it down, so that one
-// who rests has none.
-Vec3 motion_velocity(const Vec3& velocity, bool grounded, const Vec3& ground_normal);
-inline Vec3 motion_velocity(const PlayerState& state) {
-    return motion_velocity(state.velocity, state.grounded, state.ground_normal);
-}
-
 struct TickSample {
     Vec3 position = Vec3::Zero();  // after the tick, in the level's coordinates
     Vec3 velocity = Vec3::Zero();
@@ -40,7 +33,7 @@ struct TickSample {
     std::uint8_t push_outs = 0;  // times the player was moved out of geometry
     std::uint64_t acted = 0;     // hacks_acted() of all records of the tick
 
-    Vec3 motion() const { return motion_velocity(velocity, grounded, ground_normal); }
+    Vec3 motion() const;  // motion_velocity()
 };
 
 // All that happened in a tick, for stories.
