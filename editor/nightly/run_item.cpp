@@ -15,6 +15,7 @@
 
 #include "cli/exit_codes.h"
 #include "slipface/base/files.h"
+#include "slipface/base/temporary_folder.h"
 #include "slipface/base/text.h"
 
 extern char** environ;
@@ -201,15 +202,13 @@ pid_t wait_for(pid_t which, int& status) {
 }  // namespace
 
 Result<ChildOutput> run_child(const std::vector<std::string>& arguments, const fs::path& folder) {
-    std::string pattern = (fs::temp_directory_path() / "slipface-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) return Error{pattern, "cannot make a folder"};
-    const Result<Child> child = start(arguments, folder, pattern);
+    const Result<TemporaryFolder> own = TemporaryFolder::make();
+    if (!own) return own.error();
+    const Result<Child> child = start(arguments, folder, own->path());
     if (!child) return child.error();
     int status = 0;
     const pid_t ended = wait_for(child->pid, status);
     const ChildOutput output = output_of(*child, status);
-    std::error_code ignored;
-    fs::remove(pattern, ignored);
     if (ended < 0) return Error{arguments.front(), lost_child};
     return output;
 }
