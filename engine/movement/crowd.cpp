@@ -303,7 +303,7 @@ void stand(const Body& upper, const Body& lower, const Vec3& normal, PlayerState
     state.ground_rise = height - height * height * normal.y() / upper.radii().cwiseProduct(normal).norm();
 }
 
-// What those that touch leave of the velocities, and who stands on whom.
+// Bodies that touch lose the speed at which they approach each other; one on top of another stands on it.
 void settle(Crowd& crowd) {
     std::vector<Vec3> before;
     for (const Body& body : crowd.bodies)

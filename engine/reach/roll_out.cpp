@@ -326,7 +326,7 @@ class Roller {
         cursor.air = held ? 0 : cursor.air + 1;
         FaceId news = no_id;
         if (held) cursor.held_at = position_in_scene(now, state);
-        // Who hangs from a ledge is not on it yet.
+        // A player that hangs from a ledge does not stand on it yet.
         if (held && !state.hanging && state.ground_face != cursor.face) {
             cursor.face = state.ground_face;
             if (cursor.face < known_.faces.size() && is_faster(cursor, known_.faces[cursor.face]))
