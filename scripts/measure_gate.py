@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures what the gate must forgive and what it must notice, on the scenes of a suite; prints the tables of docs/snapshots.md.
+"""Measures what the gate must forgive and what it must notice, on the scenes of a suite; docs/snapshots.md, "The gate", sums it up.
 
 Noise: the same scenes with other processor features, threads, optimisation and the other GL library. Changes: each perspective
 camera one millimetre to the side, and the self-test's mutations of every picture.

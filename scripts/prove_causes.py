@@ -5,7 +5,7 @@ The project is a folder with levels/, screenshots/scenes.json and screenshots/ed
 platform, terrain, baked light, tapes, a probe, masks and screens is made from the shipped levels. It is approved, and then one
 change at a time is made to a copy; its place and size are drawn from the seed. A change of data counts as red if any entry differs,
 and as right if every entry that differs names the change first. An edit that means nothing must leave everything green.
-Prints the table of docs/snapshots.md.
+Prints a row per seed; docs/snapshots.md, "Inputs first", sums it up.
 
     scripts/prove_causes.py [--seed 1] [--each 1] [--program build/release/editor/slipface] [--only REGEX] [--keep FOLDER]
 """

@@ -1,5 +1,5 @@
-// slipface_stairs [COUNT [FIRST]]: COUNT random stairs of each kind from seed FIRST on, and the table of
-// docs/movement.md, "Stairs". Failures are listed with their seeds.
+// slipface_stairs [COUNT [FIRST]]: COUNT random stairs of each kind from seed FIRST on (docs/movement.md,
+// "Every stair"). Failures are listed with their seeds.
 #include <fmt/format.h>
 
 #include <cstdlib>

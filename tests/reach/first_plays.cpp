@@ -1,6 +1,6 @@
 // slipface_first_plays [COUNT [FIRST]]: drawn levels without a spawn from seed FIRST on, and what a player
-// reaches from the start that find_start() chooses, of what is reached from the best start: the table of
-// docs/levels.md, "Where a player begins".
+// reaches from the start that find_start() chooses, of what is reached from the best start
+// (docs/levels.md, "Where a player begins").
 #include <fmt/format.h>
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 // slipface_reach_truth [COUNT [FIRST [SCENE]]]: COUNT random scenes of each kind (or only of SCENE) from seed
-// FIRST on, at 50 to 105 % of what an exhaustive search in a bare scene finds possible, and the table of
-// docs/reach.md, "Truth".
+// FIRST on, at 50 to 105 % of what an exhaustive search in a bare scene finds possible
+// (docs/reach.md, "Truth").
 #include <fmt/format.h>
 
 #include <array>

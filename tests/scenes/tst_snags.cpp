@@ -1,5 +1,5 @@
 // Of planted snags the headline names the right face and the right rule, and the first cure that is offered
-// lets the player on. Prints the table of docs/lab.md:
+// lets the player on. Prints a table of all:
 //   build/release/tests/tests_scenes --gtest_filter='Snags.*'
 // SLIPFACE_SNAG_SEEDS=FIRST,LAST plants others.
 #include <gtest/gtest.h>
