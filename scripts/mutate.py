@@ -168,8 +168,8 @@ def row_of(number, mutant):
 
 def table(mutants, seed, candidates):
     killed = sum(bool(m["killed"]) for m in mutants)
-    rows = [row_of(i + 1, m) for i, m in enumerate(mutants)]
-    return (f"Seed {seed}: {killed} of {len(mutants)} killed, drawn from {candidates} changes.\n\n"
+    rows = [row_of(i + 1, m) for i, m in enumerate(mutants) if not m["killed"]]
+    return (f"Seed {seed}: {killed} of {len(mutants)} killed, drawn from {candidates} changes. The others:\n\n"
             "| | where | line | becomes | killed by |\n|---|---|---|---|---|\n" + "\n".join(rows) + "\n")
 
 

@@ -3,7 +3,7 @@
 # 20 m/s and 30 Hz, and sprinting at 60 m/s. Nobody may leave a closed level, pass a triangle or end inside one.
 # Everything but the speed is as each level's own file sets it; the files of the hostile ones name no
 # setting, which means basic_settings().
-# Prints the table of docs/never-inside.md. Usage: scripts/prove_never_inside.sh [STEPS] [SEED]
+# docs/never-inside.md, "Evidence", sums it up. Usage: scripts/prove_never_inside.sh [STEPS] [SEED]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/common.sh
