@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Prints the tables of docs/sweep.md (accuracy against a 113-bit oracle) and docs/performance-tables.md (speed beside Bullet 3,
+# Prints what docs/sweep.md sums up (accuracy against a 113-bit oracle) and the tables of docs/performance-tables.md (speed beside Bullet 3,
 # Embree 3, ODE and FCL). Usage: scripts/measure_collision.sh [QUERIES_A_FAMILY]; 84000 a family are a million queries, a few minutes.
 # scripts/measure_collision.sh bench [--benchmark_filter=REGEX...] runs the Google Benchmark programs instead.
 set -euo pipefail

@@ -3,12 +3,12 @@
 
 Draws changes of one operator, number or statement by a seed, compiles each changed file beside the real one (nothing under
 engine/ is touched), links it into the tests and runs them, own floor first, until one fails. A change that does not compile, or
-that gives the same object file, is not counted. The table goes between the markers of docs/mutants.md.
+that gives the same object file, is not counted. The survivors go into a table.
 
-    scripts/mutate.py                          # 50 mutants by the seed of docs/mutants.md
+    scripts/mutate.py                          # 50 mutants, into build/mutants/survivors.md
     scripts/mutate.py --seed 7 --count 25 --out other.md
     scripts/mutate.py --survivors              # those that survived the last run of this seed, again
-    scripts/mutate.py --tests movement,level   # quicker, as docs/mutants.md was made: 20 minutes
+    scripts/mutate.py --tests movement,level   # quicker: 20 minutes
 """
 import argparse, collections, concurrent.futures, json, pathlib, random, re, resource, shlex, signal, subprocess, sys, threading
 
@@ -178,7 +178,7 @@ def main():
     parser.add_argument("--count", type=int, default=50)
     parser.add_argument("--seed", type=int, default=20261123)
     parser.add_argument("--build", type=pathlib.Path, default=TOP / "build/mutants")
-    parser.add_argument("--out", type=pathlib.Path, default=TOP / "docs/mutants.md")
+    parser.add_argument("--out", type=pathlib.Path, help="for the table; BUILD/survivors.md if it is not given")
     parser.add_argument("--survivors", action="store_true", help="what was killed in the last run is not run again")
     parser.add_argument("--resume", action="store_true", help="what the last run came to is not run again")
     parser.add_argument("--jobs", type=int, default=2)
@@ -226,11 +226,7 @@ def main():
         for late in waiting:
             late.cancel()
     report = table(mutants, arguments.seed, len(drawn))
-    if not arguments.out.exists():
-        arguments.out.write_text("<!-- table -->\n<!-- end of the table -->\n")
-    page = arguments.out.read_text()
-    page = re.sub(r"(?s)(<!-- table -->\n).*?(<!-- end of the table -->)", lambda m: m[1] + report + m[2], page)
-    arguments.out.write_text(page)
+    (arguments.out or build / "survivors.md").write_text(report)
     print(report.splitlines()[0])
 
 

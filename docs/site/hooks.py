@@ -11,8 +11,7 @@ names = {}   # what stands as code -> URL from the site's top
 labels = {}  # what stands in italics -> the same
 # How much a section counts in a search, by the beginning of its address: pages for users before records and headers.
 weights = [("docs/symptoms.html", 1.3), ("docs/tutorials", 1.2), ("index.html", 1.1), ("CHANGELOG", 0.4), ("docs/checks", 0.4),
-           ("docs/performance-", 0.5), ("docs/mutants", 0.5), ("docs/decisions", 0.7),
-           ("docs/design", 0.75), ("NOTICES", 0.4), ("slipface/", 0.35), ("", 1.0)]
+           ("docs/performance-", 0.5), ("docs/decisions", 0.7), ("docs/design", 0.75), ("NOTICES", 0.4), ("slipface/", 0.35), ("", 1.0)]
 
 
 def read_rows(path):
