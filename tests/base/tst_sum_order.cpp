@@ -42,11 +42,17 @@ TEST_F(SumOrder, OfVectors) {
 TEST_F(SumOrder, OfMatrices) {
     for (int i = 0; i < 10000; ++i) {
         const Mat3 m = matrix(), n = matrix();
-        const Vec3 a = vector();
-        const Vec3 first = m.row(0);
-        EXPECT_EQ(m.row(0).dot(a), in_order(first.cwiseProduct(a)));
-        EXPECT_EQ((m * a).x(), in_order(first.cwiseProduct(a)));
-        EXPECT_EQ((m * n)(0, 1), in_order(first.cwiseProduct(n.col(1))));
+        const Vec3 a = vector(), moved = m * a, back = m.transpose() * a;
+        const Mat3 product = m * n;
+        for (int row = 0; row < 3; ++row) {
+            const Vec3 across = m.row(row);
+            EXPECT_EQ(m.row(row).dot(a), in_order(across.cwiseProduct(a)));
+            EXPECT_EQ(m.row(row).sum(), in_order(across));
+            EXPECT_EQ(moved[row], in_order(across.cwiseProduct(a)));
+            EXPECT_EQ(back[row], in_order(m.col(row).cwiseProduct(a)));
+            for (int column = 0; column < 3; ++column)
+                EXPECT_EQ(product(row, column), in_order(across.cwiseProduct(n.col(column))));
+        }
     }
 }
 

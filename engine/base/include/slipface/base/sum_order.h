@@ -9,16 +9,24 @@
 
 namespace Eigen::internal {
 
-// Eigen halves a sum until one term is left; its halves of three terms are one and two. This one cuts three
-// terms into two and one. An Eigen that names this class differently does not compile here; one that uses it
-// differently fails tests/base/tst_sum_order.cpp.
-template <class Function, class Evaluator, int Start>
-requires std::same_as<typename Evaluator::Scalar, double>
-struct redux_novec_unroller<Function, Evaluator, Start, 3> {
-    static double run(const Evaluator& terms, const Function& add) {
-        return add(redux_novec_unroller<Function, Evaluator, Start, 2>::run(terms, add),
-                   redux_novec_unroller<Function, Evaluator, Start + 2, 1>::run(terms, add));
-    }
-};
+// Eigen halves a sum until one term is left; its halves of three terms are one and two. These cut three
+// terms into two and one. An Eigen that names its classes differently does not compile here; one that uses
+// them differently fails tests/base/tst_sum_order.cpp.
+#define SLIPFACE_ADD_IN_ORDER(unroller, Number)                                       \
+    template <class Function, class Evaluator, Number Start>                          \
+    requires std::same_as<typename Evaluator::Scalar, double>                         \
+    struct unroller<Function, Evaluator, Start, 3> {                                  \
+        static double run(const Evaluator& terms, const Function& add) {              \
+            return add(unroller<Function, Evaluator, Start, 2>::run(terms, add),      \
+                       unroller<Function, Evaluator, Start + 2, 1>::run(terms, add)); \
+        }                                                                             \
+    };
+#if EIGEN_VERSION_AT_LEAST(3, 4, 90)
+SLIPFACE_ADD_IN_ORDER(redux_novec_unroller, Index)
+SLIPFACE_ADD_IN_ORDER(redux_novec_linear_unroller, Index)
+#else
+SLIPFACE_ADD_IN_ORDER(redux_novec_unroller, int)
+#endif
+#undef SLIPFACE_ADD_IN_ORDER
 
 }  // namespace Eigen::internal
