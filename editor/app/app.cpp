@@ -50,9 +50,9 @@ struct App::Impl {
         ui::use_light_palette(light);
         ui::set_scale(scale);
         ui::apply_theme(scale);
-        renderer.reset();
         ui::load_fonts(scale);
-        renderer = std::make_unique<UiRenderer>(options.gl);
+        if (!renderer) renderer = std::make_unique<UiRenderer>(options.gl);
+        renderer->take_fonts();
         const auto color = [](const ImVec4& c) { return Vec3f(c.x, c.y, c.z); };
         editor.style.background_top = color(ui::palette().view_top);
         editor.style.background_bottom = color(ui::palette().view_bottom);

@@ -122,13 +122,13 @@ void command_palette(Editor& editor) {
         }
         ImGui::PopStyleVar();
         if (found.empty()) ui::muted_text("No command has these letters");
-        ImGui::EndChild();
+        ui::end(ImGui::EndChild);
         state.moved = false;
         if (run && run->enabled(editor)) run_from_palette(editor, *run);
         if (!appearing && !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows))
             editor.show_command_palette = false;
     }
-    ImGui::End();
+    ui::end(ImGui::End);
 }
 
 }  // namespace slipface

@@ -74,7 +74,7 @@ void message_dialog(Parts& parts) {
         ImGui::BeginChild("details", {0, height}, true);
         for (const Diagnostic& detail : message.details)
             wrapped(shown_text(parts, detail.text()));
-        ImGui::EndChild();
+        ui::end(ImGui::EndChild);
         ImGui::PopStyleColor();
     }
     if (message.asks_about_files) {
@@ -182,7 +182,7 @@ void dialogs(Parts& parts) {
         case DialogKind::none: break;
     }
     if (!dialog_is_open(parts.editor)) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    ui::end(ImGui::EndPopup);
 }
 
 }  // namespace slipface

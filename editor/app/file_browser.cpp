@@ -243,7 +243,7 @@ bool filter_row(Parts& parts) {
                 browser.format = i;
                 filter_rows(browser);
             }
-            ImGui::EndCombo();
+            ui::end(ImGui::EndCombo);
         }
     }
     ImGui::SameLine();

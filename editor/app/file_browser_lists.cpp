@@ -129,7 +129,7 @@ std::string empty_text(const FileBrowser& browser) {
 void column(const char* id, float height, void (*content)(Parts&), Parts& parts) {
     ImGui::BeginChild(id, {0, height}, false, ImGuiWindowFlags_NoNav);
     content(parts);
-    ImGui::EndChild();
+    ui::end(ImGui::EndChild);
 }
 
 void places(Parts& parts) {
@@ -224,7 +224,7 @@ void entry_list(Parts& parts, float height) {
     }
     if (left_out > 0)
         ui::muted_text(fmt::format("and {} more; type a path", browser.listing.left_out).c_str());
-    ImGui::EndChild();
+    ui::end(ImGui::EndChild);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     if (!chosen.empty()) choose(parts, chosen, false);

@@ -87,7 +87,7 @@ void shade(const std::optional<Hole>& hole) {
         list.AddRect(hole->min, hole->max, ui::packed(ui::palette().accent), 5 * ui::scale(), 0, line);
     }
     list.PopClipRect();
-    ImGui::End();
+    ui::end(ImGui::End);
 }
 
 void push_card_style() {
@@ -200,7 +200,7 @@ void tour(Editor& editor) {
     ImGui::PopTextWrapPos();
     ImGui::Dummy({width, 6 * scale});
     step_buttons(editor, number, width);
-    ImGui::End();
+    ui::end(ImGui::End);
 }
 
 struct Hint {
@@ -307,7 +307,7 @@ void help_overlay(Editor& editor) {
     ImGui::SameLine();
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
     if (ui::primary_button("Close", true, {width, 0})) editor.session.help = false;
-    ImGui::End();
+    ui::end(ImGui::End);
 }
 
 bool tour_is_shown(const Editor& editor) {

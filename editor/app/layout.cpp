@@ -51,7 +51,7 @@ float splitter(const char* name, const Region& region, bool vertical) {
                                                   ui::packed(ui::with_alpha(ui::palette().accent, 0.7f)));
     }
     if (ImGui::IsItemActive()) moved = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
-    ImGui::End();
+    ui::end(ImGui::End);
     ImGui::PopStyleVar();
     return moved;
 }
@@ -85,7 +85,7 @@ void tab_menu(Editor& editor, PanelId panel) {
             layout.rail[right ? 1 : 0] ? layout.show(panel) : void(collapsed = true);
     }
     if (ui::menu_item("Hide", "", false, true, nullptr)) layout.hide(panel);
-    ImGui::EndPopup();
+    ui::end(ImGui::EndPopup);
 }
 
 using Docks = std::initializer_list<Dock>;
@@ -139,7 +139,7 @@ void dock_panels(Parts& parts, Docks docks, Dock open) {
     // The rows scroll, the tabs stay.
     ImGui::BeginChild(panel_info(*front).name, {0, 0}, false, ImGuiWindowFlags_NoSavedSettings);
     draw_panel(*front, editor, parts.frame);
-    ImGui::EndChild();
+    ui::end(ImGui::EndChild);
 }
 
 // A column as icons, one below the other: a press opens the column with that panel.
@@ -154,7 +154,7 @@ void rail(Editor& editor, const char* name, const Region& region, Docks docks) {
             tab_menu(editor, info.id);
         });
     }
-    ImGui::End();
+    ui::end(ImGui::End);
 }
 
 bool occupied(const Editor& editor, Dock dock) {
@@ -179,7 +179,7 @@ void left_column(Parts& parts, const Region& column, ImVec2 padding, float gap) 
             dock_panels(parts, both_left_docks, sizes.used_left);
         else
             dock_panels(parts, {Dock::left}, Dock::left);
-        ImGui::End();
+        ui::end(ImGui::End);
     }
     if (split) {
         sizes.left_lower -=
@@ -189,7 +189,7 @@ void left_column(Parts& parts, const Region& column, ImVec2 padding, float gap) 
     if (lower && !sizes.one_left_dock) {
         begin_region("##left lower", {{column.min.x, border + gap}, column.max}, padding, p.panel);
         dock_panels(parts, {Dock::left_lower}, Dock::left_lower);
-        ImGui::End();
+        ui::end(ImGui::End);
     }
 }
 
@@ -241,13 +241,13 @@ void layout(Parts& parts, ImVec2 size) {
         begin_region("##toolbar", {{0, menu_height}, {size.x, menu_height + toolbar_height}},
                      {10 * scale, 5 * scale}, p.panel);
         toolbar(parts);
-        ImGui::End();
+        ui::end(ImGui::End);
     }
 
     if (top > notices_top) {
         begin_region("##notices", {{0, notices_top}, {size.x, top}}, {0, 0}, p.raised);
         notices(parts);
-        ImGui::End();
+        ui::end(ImGui::End);
     }
 
     if (left_shown) left_column(parts, {{0, top}, {left_width, left_bottom}}, panel_padding, gap);
@@ -262,7 +262,7 @@ void layout(Parts& parts, ImVec2 size) {
     } else if (right_shown) {
         begin_region("##right", right, panel_padding, p.panel);
         dock_panels(parts, {Dock::right}, Dock::right);
-        ImGui::End();
+        ui::end(ImGui::End);
         sizes.right -=
             splitter("##Right border", {{view_right, top}, {view_right + gap, bottom}}, true) / scale;
         sizes.right = std::clamp(sizes.right, 240.0f, 640.0f);
@@ -271,7 +271,7 @@ void layout(Parts& parts, ImVec2 size) {
         begin_region("##bottom", {{low_left, view_bottom + gap}, {view_right, bottom}}, panel_padding,
                      p.panel);
         dock_panels(parts, {Dock::bottom}, Dock::bottom);
-        ImGui::End();
+        ui::end(ImGui::End);
         sizes.bottom -=
             splitter("##Bottom border", {{low_left, view_bottom}, {view_right, view_bottom + gap}}, false) /
             scale;
@@ -286,12 +286,12 @@ void layout(Parts& parts, ImVec2 size) {
     else
         welcome(parts);
     view_menu(editor, editor.document && std::exchange(viewport_state().wants_menu, false));
-    ImGui::End();
+    ui::end(ImGui::End);
 
     if (bars) {
         begin_region("##status", {{0, bottom}, {size.x, size.y}}, {12 * scale, 2 * scale}, p.window);
         status_bar(parts);
-        ImGui::End();
+        ui::end(ImGui::End);
     }
 
     shortcuts_window(editor);

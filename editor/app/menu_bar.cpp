@@ -100,7 +100,7 @@ void view_menu(Editor& editor, bool opens) {
             else if (const Command* const command = find_command(row))
                 command_item(editor, *command);
         }
-        ImGui::EndPopup();
+        ui::end(ImGui::EndPopup);
     }
     ImGui::PopStyleVar(2);
 }

@@ -69,7 +69,7 @@ void recoverable_row(Parts& parts, const AutosaveInfo& info, std::size_t row) {
     ImGui::TextColored(ui::palette().muted, "%s", shown_folder(parts, info.mesh_path).c_str());
     ImGui::TextColored(ui::palette().muted, "%s", printable(steps_text(info.steps)).c_str());
     ImGui::PopTextWrapPos();
-    ImGui::EndGroup();
+    ui::end(ImGui::EndGroup);
     ui::tooltip(shown_text(parts, info.mesh_path.string()).c_str());
     const float bottom = ImGui::GetCursorPosY();
     ImGui::SetCursorPos({at.x + ImGui::GetContentRegionAvail().x - 2 * width - 8 * scale, at.y + 4 * scale});
@@ -125,7 +125,7 @@ void recover_dialog(Parts& parts) {
     ImGui::BeginChild("rows", {0, height});
     for (std::size_t i = 0; i < rows.size(); ++i)
         recoverable_row(parts, rows[i], i);
-    ImGui::EndChild();
+    ui::end(ImGui::EndChild);
     align_buttons(1, 110 * scale);
     if (ui::button("Not now", "Decide later; File > Recover autosaves lists them again", true,
                    {110 * scale, 0}))

@@ -208,9 +208,9 @@ void shortcuts_window(Editor& editor) {
         for (const Command& command : commands())
             if (seen.insert(command.menu).second) section(editor, command.menu, filter);
         if (filter.empty()) mouse_section();
-        ImGui::EndChild();
+        ui::end(ImGui::EndChild);
     }
-    ImGui::End();
+    ui::end(ImGui::End);
 }
 
 }  // namespace slipface

@@ -115,7 +115,6 @@ UiRenderer::UiRenderer(GlTable table) : gl_(std::move(table)), textures_(texture
     ImGuiIO& io = ImGui::GetIO();
     io.BackendRendererName = "slipface";
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-    ui::make_textures(textures_);
 }
 
 UiRenderer::~UiRenderer() {

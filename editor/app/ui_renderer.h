@@ -9,11 +9,13 @@ namespace slipface {
 
 class UiRenderer {
   public:
-    // Uploads the fonts of the current Dear ImGui context.
     explicit UiRenderer(GlTable gl);
     ~UiRenderer();
     UiRenderer(const UiRenderer&) = delete;
     UiRenderer& operator=(const UiRenderer&) = delete;
+
+    // After each loading of fonts, for the current Dear ImGui context.
+    void take_fonts() { ui::make_textures(textures_); }
 
     // Draws over the bound framebuffer. Sets all state that it needs; leaves blending and scissor switched
     // off.

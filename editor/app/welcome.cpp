@@ -146,7 +146,7 @@ void welcome(Parts& parts) {
     samples(parts);
     ImGui::Dummy({0, 6 * scale});
     recent_rows(parts);
-    ImGui::EndChild();
+    ui::end(ImGui::EndChild);
 }
 
 }  // namespace slipface

@@ -182,7 +182,7 @@ void hack_cell(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     }
     ImGui::Spacing();
     effect_rows(editor, info);
-    ImGui::EndPopup();
+    ui::end(ImGui::EndPopup);
 }
 
 }  // namespace slipface

@@ -205,7 +205,7 @@ float import_card(Editor& editor, const ImVec2& min, const ImVec2& size) {
         change_import(editor, {});
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 100 * scale);  // left of the scroll bar, if there is one
     if (ui::primary_button("Done", true, {100 * scale, 0})) close_import_card(editor);
-    ImGui::End();
+    ui::end(ImGui::End);
     return beside ? width + gap : 0;
 }
 

@@ -280,8 +280,8 @@ void stick_popup(Editor& editor) {
         change(editor, remove_ticks(lab.tape(), now.chosen.first, now.chosen.last));
         ImGui::CloseCurrentPopup();
     }
-    ImGui::EndGroup();
-    ImGui::EndPopup();
+    ui::end(ImGui::EndGroup);
+    ui::end(ImGui::EndPopup);
 }
 
 void draw_stick_lane(ImDrawList& list, const Lab& lab, const LabTrack& track, float top, float bottom) {

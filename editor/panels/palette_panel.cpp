@@ -92,7 +92,7 @@ void row_menu(Editor& editor, std::optional<SurfaceId> surface) {
             replace_type(editor, *surface, std::nullopt);
         ui::end_menu();
     }
-    ImGui::EndPopup();
+    ui::end(ImGui::EndPopup);
 }
 
 std::string row_tooltip(const Row& row) {

@@ -77,7 +77,7 @@ void sweep_rows(Editor& editor, const std::vector<ProbeRow>& rows) {
                                    number(row.response->remainder_after.norm()));
         line(outcome, "Pass, rule, and length of the remainder before and after it");
         ImGui::PopStyleColor();
-        ImGui::EndGroup();
+        ui::end(ImGui::EndGroup);
         ImGui::PopStyleVar();
     }
 }

@@ -221,7 +221,7 @@ void prop_list(Editor& editor, const std::vector<Prop>& props, std::optional<std
         if (did.replace || did.remove || !did.renamed.empty()) break;
         if (did.chosen) choose_prop(editor, i);
     }
-    ImGui::EndChild();
+    ui::end(ImGui::EndChild);
     if (props.size() > max_rows)
         ui::muted_text(fmt::format("and {} more: click them in the view", props.size() - max_rows).c_str());
 }

@@ -50,7 +50,7 @@ void list(Editor& editor) {
         ui::record_last_item(entry.name, true, i == review.current);
         ui::tooltip(golden_state_name(entry.state));
     }
-    ImGui::EndChild();
+    ui::end(ImGui::EndChild);
     if (wanted) review_show(editor, *wanted);
 }
 

@@ -26,7 +26,7 @@ void entry(const std::string& title, const std::string& text) {
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopTextWrapPos();
     if (!title.empty()) ui::muted_text(title.c_str());
-    ImGui::EndGroup();
+    ui::end(ImGui::EndGroup);
     ImGui::Spacing();
 }
 
@@ -58,7 +58,7 @@ void guess_rows(Editor& editor) {
             ui::record_last_item("Guess " + std::to_string(i + 1));
         }
     }
-    ImGui::EndChild();
+    ui::end(ImGui::EndChild);
     if (chosen) go_to_guess(editor, *chosen);
 }
 

@@ -103,7 +103,7 @@ std::optional<std::size_t> moments(const char* name, const Lab& lab, const Momen
         if (scrolls && here && shown != static_cast<int>(cursor)) ImGui::SetScrollHereY(0.3f);
     }
     shown = static_cast<int>(cursor);
-    if (scrolls) ImGui::EndChild();
+    if (scrolls) ui::end(ImGui::EndChild);
     return clicked;
 }
 

@@ -208,8 +208,15 @@ void add_drawn_glyph(std::initializer_list<Font> fonts, const DrawnGlyph& glyph)
     }
 }
 
+void remove_textures(const TextureStore& store) {
+    ImTextureID& letters = ImGui::GetIO().Fonts->TexID;
+    if (letters != ImTextureID()) store.remove(texture_name(letters));
+    letters = ImTextureID();
+}
+
 void make_textures(const TextureStore& store) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    remove_textures(store);
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
@@ -218,10 +225,6 @@ void make_textures(const TextureStore& store) {
 }
 
 void serve_textures(const ImDrawData&, const TextureStore&) {}
-
-void remove_textures(const TextureStore& store) {
-    store.remove(texture_name(ImGui::GetIO().Fonts->TexID));
-}
 
 std::uint64_t texture_key(const ImDrawCmd& command) {
     return texture_name(command.GetTexID());

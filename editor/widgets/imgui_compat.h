@@ -164,6 +164,15 @@ class FrameRecovery {
 #endif
 };
 
+// Ends what ImGui::Begin(), BeginChild(), BeginGroup() or another began: `what` is its end. Where
+// SetCursorPos() was last is part of its content, as Dear ImGui took for granted until 1.91.
+inline void end(void (*what)()) {
+#if IMGUI_VERSION_NUM >= 19200
+    if (ImGui::GetCurrentWindow()->DC.IsSetPos) ImGui::Dummy({0, 0});
+#endif
+    what();
+}
+
 inline ImTextureID texture_id(unsigned texture) {
 #if IMGUI_VERSION_NUM >= 19140
     return static_cast<ImTextureID>(texture);
@@ -221,7 +230,7 @@ struct TextureStore {
         update;
     std::function<void(unsigned name)> remove;
 };
-// Before the first frame; between two frames, before `data` is drawn; and at the end.
+// After fonts were loaded; between two frames, before `data` is drawn; and at the end.
 void make_textures(const TextureStore& store);
 void serve_textures(const ImDrawData& data, const TextureStore& store);
 void remove_textures(const TextureStore& store);

@@ -69,7 +69,7 @@ void show_tooltip(const char* text) {
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     if (!ImGui::GetCurrentWindow()->Hidden) record_rect("Tooltip", at, {at.x + size.x, at.y + size.y});
-    ImGui::EndTooltip();
+    ui::end(ImGui::EndTooltip);
     ImGui::PopStyleVar();
 }
 
@@ -245,7 +245,7 @@ bool slider(const char* label, double* value, double minimum, double maximum, co
     const std::string id = begin_row(label);
     const bool changed = number_slider(id.c_str(), value, minimum, maximum, format);
     record_last_item(label);
-    ImGui::EndGroup();
+    ui::end(ImGui::EndGroup);
     tooltip(tip);
     return changed;
 }
@@ -274,7 +274,7 @@ bool drag_vec3(const char* label, double* xyz, float speed, const char* format, 
                                                   {min.x + 2 * scale(), max.y - 4 * scale()}, marks[axis]);
     }
     ImGui::PopID();
-    ImGui::EndGroup();
+    ui::end(ImGui::EndGroup);
     tooltip(tip);
     return changed;
 }
@@ -299,9 +299,9 @@ bool combo(const char* label, int* index, const char* const* names, int count, c
                 *index = i;
             }
         }
-        ImGui::EndCombo();
+        ui::end(ImGui::EndCombo);
     }
-    ImGui::EndGroup();
+    ui::end(ImGui::EndGroup);
     tooltip(tip);
     return changed;
 }
@@ -395,6 +395,10 @@ bool menu_item(const char* label, const char* shortcut, bool checked, bool enabl
 }
 
 bool begin_menu(const char* label) {
+    // A submenu, too, is no higher than the window: Dear ImGui 1.90 lets it grow out of it.
+    const float highest =
+        ImGui::GetMainViewport()->WorkSize.y - 2 * ImGui::GetStyle().DisplaySafeAreaPadding.y;
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, highest});
     const bool open = ImGui::BeginMenu(label);
     if (open) {
         record_again(label);
@@ -407,7 +411,7 @@ bool begin_menu(const char* label) {
 
 void end_menu() {
     menu_scopes().pop_back();
-    ImGui::EndMenu();
+    ui::end(ImGui::EndMenu);
 }
 
 bool tab(const char* label, bool front) {
