@@ -36,12 +36,31 @@ bool is_made_up(const aiNode& node) {
            name.find("_$AssimpFbx$_") != std::string_view::npos;
 }
 
+// True if `second` has the corners of `first`, backwards.
+bool is_back_of(const aiMesh& mesh, const aiFace& first, const aiFace& second) {
+    const unsigned count = first.mNumIndices;
+    if (second.mNumIndices != count) return false;
+    const auto at = [&](const aiFace& face, unsigned k) -> const aiVector3D* {
+        return face.mIndices[k] < mesh.mNumVertices ? &mesh.mVertices[face.mIndices[k]] : nullptr;
+    };
+    for (unsigned shift = 0; shift < count; ++shift) {
+        unsigned k = 0;
+        for (; k < count; ++k) {
+            const aiVector3D *const a = at(first, k), *const b = at(second, (count + shift - k) % count);
+            if (a == nullptr || b == nullptr || *a != *b) break;
+        }
+        if (k == count) return true;
+    }
+    return false;
+}
+
 class SceneReader {
   public:
     SceneReader(const aiScene& scene, const SceneFrame& frame, const std::string& extension,
                 const std::string& location, WarningList& warnings)
         : scene_(scene),
           root_is_frame_(frame.root_is_frame),
+          two_sided_twice_(extension == "ac"),
           location_(location),
           warnings_(warnings),
           materials_(scene_materials(scene, extension)),
@@ -109,6 +128,7 @@ class SceneReader {
                 ++dropped_;
                 continue;
             }
+            if (two_sided_twice_ && i > 0 && is_back_of(mesh, mesh.mFaces[i - 1], face)) continue;
             // A polygon may visit a vertex twice, where a bridge leads to a hole in it.
             if (face.mNumIndices > 3 + 2 * std::uint64_t{mesh.mNumVertices})
                 return Error{
@@ -155,7 +175,8 @@ class SceneReader {
     }
 
     const aiScene& scene_;
-    const bool root_is_frame_;  // assimp corrects axes and unit there; this code does so itself
+    const bool root_is_frame_;    // assimp corrects axes and unit there; this code does so itself
+    const bool two_sided_twice_;  // assimp 6 gives a two-sided polygon of AC3D a second time, backwards
     const std::string& location_;
     WarningList& warnings_;
     const std::vector<SceneMaterial> materials_;
