@@ -26,6 +26,10 @@ static_assert(PlayerState::vectors[0] == &PlayerState::position &&
               PlayerState::vectors[3] == &PlayerState::air_frame);
 static_assert(TriggerMemory::capacity == std::extent_v<decltype(slipface_player::trigger_type)>);
 
+static_assert(sizeof(slipface_player) == sizeof(std::uint32_t[4 + 3 + 8]) + sizeof(std::uint8_t[12 + 8]) +
+                                             sizeof(double[4 * 3 + 20 + 4 * 3]),
+              "no padding: equal players have equal bytes");
+
 // In the order of PlayerState::vectors.
 template <class Player>
 auto& vector_of(Player& player, std::size_t i) {

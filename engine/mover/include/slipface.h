@@ -325,6 +325,7 @@ typedef struct slipface_player {
     uint8_t carrier;       /* a slipface_carrier */
     uint8_t trigger_count; /* the triggers that the player is in: their platforms and types */
     uint8_t trigger_type[8];
+    uint8_t reserved; /* 0: equal players have equal bytes */
     uint32_t trigger_platform[8];
     /* What abilities remember, and room for what later versions add: in the order of PlayerState's lists. */
     double numbers[20];
