@@ -37,7 +37,8 @@ list(JOIN modules " " libraries)
 file(RELATIVE_PATH prefix_from_here "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
 string(REGEX REPLACE "/$" "" prefix_from_here "${prefix_from_here}")
 # pkg-config --libs NAME links a program in C or C++ with the shared library; with --static, and where only the static one is,
-# also with that. slipface-cpp has the modules, for programs in C++.
+# also with that. slipface-cpp has the modules, for programs in C++; it names assimp itself, because Debian's assimp.pc names files
+# that only those need who build assimp.
 if(TARGET slipface_mover_shared)
     list(APPEND pkgconfig slipface-mover)
 endif()

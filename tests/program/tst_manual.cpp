@@ -8,6 +8,7 @@
 
 #include "program/run_program.h"
 #include "slipface/base/files.h"
+#include "slipface/base/text.h"
 
 namespace slipface::test {
 namespace {
@@ -21,7 +22,7 @@ std::vector<std::string> all_matches(const std::string& text, const std::regex& 
 
 std::vector<std::string> verbs_of_help(const std::string& command) {
     const std::string help = run_program(command + " --help").output;
-    const auto list = help.find("Subcommands:\n");
+    const auto list = to_lower(help).find("subcommands:\n");  // capitals in later versions of CLI11
     if (list == std::string::npos) return {};
     return all_matches(help.substr(list), std::regex("\n  ([a-z-]+) "));
 }
