@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cfloat>
-#include <cstdlib>
-#include <system_error>
 #include <utility>
 
 #include "panels/panel_memory.h"
@@ -43,12 +41,6 @@ Result<std::unique_ptr<OffscreenHost>> OffscreenHost::make(const OffscreenOption
     return host;
 }
 
-OffscreenHost::~OffscreenHost() {
-    app_.reset();
-    std::error_code ignored;
-    if (!own_state_.empty()) std::filesystem::remove_all(own_state_, ignored);
-}
-
 void OffscreenHost::frame() {
     frame_after(frame_s + std::exchange(rested_s_, 0.0));
 }
@@ -68,10 +60,9 @@ void OffscreenHost::rest(double seconds) {
 
 void OffscreenHost::want_state_folder() {
     if (!state_.empty()) return;
-    std::error_code error;
-    std::string pattern = (std::filesystem::temp_directory_path(error) / "slipface_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) return;
-    state_ = own_state_ = pattern;
+    Result<TemporaryFolder> made = TemporaryFolder::make();
+    if (!made) return;
+    state_ = own_state_.emplace(std::move(*made)).path();
     editor().session.recordings = Recordings(state_ / "recordings");
     editor().session.autosave = AutosaveSession(state_ / "autosave");
 }

@@ -5,9 +5,11 @@
 #include <imgui.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/app.h"
+#include "slipface/base/temporary_folder.h"
 #include "slipface/image/image.h"
 
 namespace slipface {
@@ -26,7 +28,6 @@ class OffscreenHost {
     static constexpr double frame_s = 1.0 / 60.0;
 
     static Result<std::unique_ptr<OffscreenHost>> make(const OffscreenOptions& options);
-    ~OffscreenHost();
 
     App& app() { return *app_; }
     Editor& editor() { return app_->editor(); }
@@ -62,6 +63,7 @@ class OffscreenHost {
   private:
     OffscreenHost() = default;
 
+    std::optional<TemporaryFolder> own_state_;
     // In this order: the app's GL objects are destroyed before the context.
     std::unique_ptr<OffscreenContext> context_;
     std::unique_ptr<Framebuffer> target_;
@@ -72,7 +74,7 @@ class OffscreenHost {
     int width_ = 0, height_ = 0;
     double clock_s_ = 0.0;
     double rested_s_ = 0.0;  // since the last frame; the next one takes as long
-    std::filesystem::path state_, own_state_;
+    std::filesystem::path state_;
     ImVec2 mouse_{0, 0};
 };
 

@@ -11,6 +11,7 @@
 
 #include "cli/exit_codes.h"
 #include "slipface/base/files.h"
+#include "slipface/base/temporary_folder.h"
 #include "snapshot_verb/suite_set.h"
 
 extern char** environ;
@@ -151,13 +152,13 @@ bool self_test_of(const std::string& name, const Image& image) {
 }  // namespace
 
 int check_opengl(const std::vector<std::string>& images) {
-    std::string folder = (fs::temp_directory_path() / "slipface-opengl-XXXXXX").string();
-    if (::mkdtemp(folder.data()) == nullptr) {
-        fmt::print(stderr, "slipface: {}: cannot be made\n", folder);
+    const Result<TemporaryFolder> folder = TemporaryFolder::make();
+    if (!folder) {
+        fmt::print(stderr, "slipface: {}\n", folder.error().text());
         return cli::exit_bad_input;
     }
     examine_environment();
-    const Exam osmesa = examine("osmesa", folder), egl = examine("egl", folder);
+    const Exam osmesa = examine("osmesa", folder->path()), egl = examine("egl", folder->path());
     bool fine = report_line(osmesa.works || egl.works, "a renderer without a display", "");
     report_line(osmesa.works, "OSMesa", osmesa.text);
     report_line(egl.works, "EGL surfaceless", egl.text);
@@ -176,8 +177,6 @@ int check_opengl(const std::vector<std::string>& images) {
         const Result<Image> image = load_image(file);
         fine &= image ? self_test_of(file, *image) : report_line(false, file, image.error().text());
     }
-    std::error_code error;
-    fs::remove_all(folder, error);
     return fine ? cli::exit_fine : cli::exit_check_failed;
 }
 

@@ -1,7 +1,6 @@
 // Opening the demo scene of a hack.
-#include <cstdlib>
-
 #include "slipface/base/files.h"
+#include "slipface/base/temporary_folder.h"
 #include "slipface/scenes/demo.h"
 #include "tools/lab/lab_actions.h"
 
@@ -29,32 +28,22 @@ bool holds(const fs::path& folder, const fs::path& fresh) {
 // Writes the demo's files into their own folder below the system's temporary folder. If the user saved over
 // an earlier demo, that folder stays and the new files get another one. Returns the path of the OBJ.
 Result<fs::path> demo_files(const DemoInfo& info) {
+    const Result<TemporaryFolder> fresh = TemporaryFolder::make();
+    if (!fresh) return fresh.error();
+    const Result<fs::path> saved = save_demo(info, fresh->path());
+    if (!saved) return saved;
+    const fs::path base = fresh->path().parent_path() / "slipface-demos";
     std::error_code error;
-    const fs::path temporary = fs::temp_directory_path(error);
-    if (temporary.empty())
-        return Error{"TMPDIR", "names no folder; expected the folder for the demo's files"};
-    const fs::path base = temporary / "slipface-demos";
     fs::create_directories(base, error);
-    std::string pattern = (base / "new-XXXXXX").string();
-    if (!mkdtemp(pattern.data())) return Error{base.string(), "cannot create a folder for the demo's files"};
-    const fs::path fresh = pattern;
-    const auto discard = [&] { fs::remove_all(fresh, error); };
-    const Result<fs::path> saved = save_demo(info, fresh);
-    if (!saved) {
-        discard();
-        return saved;
-    }
     for (int i = 1; i <= max_folders; ++i) {
         const fs::path folder = base / (info.name + (i == 1 ? std::string() : "-" + std::to_string(i)));
         if (fs::exists(folder, error)) {
-            if (!holds(folder, fresh)) continue;
-            discard();
+            if (!holds(folder, fresh->path())) continue;
             return folder / saved->filename();
         }
-        fs::rename(fresh, folder, error);
+        fs::rename(fresh->path(), folder, error);
         if (!error) return folder / saved->filename();
     }
-    discard();
     return Error{base.string(), "holds too many demos; expected room for one more"};
 }
 
