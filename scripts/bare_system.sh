@@ -87,8 +87,9 @@ watch_bare() {
     exec {out}>&-
     wait "$watcher"
     [ "$code" -eq 0 ] && return 0
-    grep -A 30 '\*\*\*Failed' "$log" | head -n 120 || true
+    grep -v '^same ' "$log" | grep -A 30 '\*\*\*Failed' | head -n 120 || true
     tail -n 40 "$log"
+    mkdir -p out && cp "$log" out/bare.log && echo "All that it printed: out/bare.log"
     scripts/missing_packages.sh "$log"
     bare_failed "$1 ended with $code"
 }

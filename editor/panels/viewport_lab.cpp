@@ -50,8 +50,8 @@ void ghost(Overlay& overlay, const TapeRun& run, double time_s, const Color& col
     outline.alpha = 0.95f;
     overlay.ellipsoid(sample.position, body_radii(run.settings(), {.crouched = sample.crouched}), fill,
                       outline);
-    if (explained && sample.velocity.norm() > 0.1)
-        overlay.arrow(sample.position, sample.position + sample.velocity * 0.2, color, 2.5f, true);
+    if (const Vec3 motion = sample.motion(); explained && motion.norm() > 0.1)
+        overlay.arrow(sample.position, sample.position + motion * 0.2, color, 2.5f, true);
 }
 
 void partings(Overlay& overlay, const Lab& lab) {

@@ -65,7 +65,7 @@ struct PlayerState {
     // none.
     double wall_x = 0.0, wall_z = 0.0;
     double wall_lock_s = 0.0;  // for how much longer the stick does not steer after a wall jump
-    double move_s = 0.0;       // for how much longer a dash lasts; of who hangs, the climb onto the ledge
+    double move_s = 0.0;       // for how much longer a dash lasts, or the climb onto a ledge
 
     // Every member but the sector, the ids and the carrier: hashes, files and checks of a state go through
     // these lists. What a hack adds comes last.
