@@ -102,13 +102,6 @@ MatchedOverrides FaceMatcher::run() && {
     run_stage(Stage::exact, [this](std::size_t i) { return match_location(i, slack(i)); });
     run_stage(Stage::exact, [this](std::size_t i) { return match_location(i, wide_slack(i)); });
     if (find_outlines() && lookup_.tree() != nullptr) {
-        const auto without_outline = [&](auto match) {
-            run_stage(Stage::plane, [&](std::size_t i) { return outlines_[i].empty() && match(i); });
-        };
-        without_outline([this](std::size_t i) { return match_plane(i); });
-        without_outline([this](std::size_t i) { return match_union(i, false); });
-        without_outline([this](std::size_t i) { return match_union(i, true); });
-        without_outline([this](std::size_t i) { return match_area(i); });
         sharpen_outlines();
         const std::vector<std::size_t> single = single_faces();
         run_stage(Stage::exact, [&](std::size_t i) {
@@ -121,12 +114,15 @@ MatchedOverrides FaceMatcher::run() && {
         match_covered(0.5, false);
         run_stage(Stage::nearest, [this](std::size_t i) { return match_corners(i); });
         match_covered(0.9, true);
-        match_remeshed();
-        match_merged();
         run_stage(Stage::nearest, [this](std::size_t i) { return match_nearest(i); });
     }
     collect();
     return std::move(result_);
+}
+
+const MeshParts& FaceMatcher::pieces() {
+    if (!pieces_) pieces_ = mesh_parts(mesh_, surfaces_);
+    return *pieces_;
 }
 
 // As before: nothing was cut or merged.

@@ -29,8 +29,7 @@ struct FaceLookup {
 
     const Mesh& mesh;
     FaceIndex index;
-    FaceNeighbours neighbours;  // built if match_union() needs them
-    std::size_t visits = 0;     // faces examined so far
+    std::size_t visits = 0;  // faces examined so far
 
   private:
     std::optional<CollisionWorld> tree_;
@@ -74,6 +73,7 @@ class FaceMatcher {
     void sharpen_outlines();  // sharp_outline.cpp
     bool sharpen(std::size_t i);
     bool is_rough(std::size_t i, FaceId face) const;
+    const MeshParts& pieces();
     double rounding(std::size_t i) const;  // of the outline's corners
     void collect();
     void add_orphan(std::size_t i);
@@ -98,14 +98,6 @@ class FaceMatcher {
     std::vector<std::size_t> single_faces() const;
     bool match_triangles(std::size_t i);
 
-    // match_whole.cpp: of an old face without an outline, new faces that together are the whole of it
-    bool match_plane(std::size_t i);
-    bool match_area(std::size_t i);
-    bool match_union(std::size_t i, bool bent);
-    bool grow_union(const FaceKey& key, const Vec3& normal, FaceId face, std::vector<FaceId>& parts);
-    bool is_part(const FaceKey& key, const Vec3& normal, FaceId face) const;
-    double plane_slack() const { return bent_ ? 0.2 : 1e-3; }
-
     // match_covered.cpp
     struct Cover {
         FaceId face;
@@ -127,41 +119,6 @@ class FaceMatcher {
     bool has_turned_over(std::size_t i);
     double area_to_cover(FaceId face, std::span<const Cover> covers);
     Covers find_covers(std::size_t i, double least_dot, bool any_material) const;
-
-    // remeshed_pieces.cpp
-    const MeshParts& pieces();
-    bool is_remeshed(FaceId face, std::size_t i);
-    const std::vector<std::size_t>& remeshed_from(std::uint32_t piece);
-    const std::set<std::uint32_t>& remeshed_objects();
-    bool is_of_remeshed_object(FaceId face);
-    bool is_gone(std::size_t part);
-    bool is_new(const PaintPart& part, std::size_t old) const;
-    Aabb moved_box(std::size_t part) const;
-
-    // match_remeshed.cpp
-    void match_remeshed();
-    // A painted face and what it may give its type to: faces along `normal`, at most `depth` away.
-    struct Nearby {
-        std::size_t i;
-        Vec3 normal;
-        double depth;
-        Aabb reach;
-    };
-    Nearby nearby(std::size_t i) const;
-    void claim_nearest(FaceId face, std::span<const Nearby> painted, std::span<const Aabb> boxes);
-
-    // match_merged.cpp
-    struct Votes {
-        std::map<SurfaceId, double> of;  // [type] by the face's points
-        double all = 0.0;
-        std::size_t visits = 0;
-    };
-    void match_merged();
-    std::vector<std::size_t> find_merged_parts();
-    double reach_of(std::size_t i) const;
-    bool is_nearer(std::size_t i, FaceId face, const Vec3& point, std::size_t& visits) const;
-    Votes votes_of(FaceId face, std::span<const std::size_t> old) const;
-    void take_votes(FaceId face, const Votes& votes);
 
     // match_nearest.cpp
     std::vector<Vec3> edges_along(std::size_t i, const Vec3& normal);
@@ -193,24 +150,15 @@ class FaceMatcher {
     std::vector<std::vector<Vec3>> outlines_;  // [stored] after the motion; empty if it is not known
     std::vector<bool> sharp_;                  // [stored] the outline is exact
     std::vector<bool> likely_;                 // [stored] the outline is only a likely one
-    enum class Flat : std::uint8_t { none, few, whole, whole_in_few };
-    std::vector<Flat> flat_;         // [stored] what is left in its plane: some in few pieces, or all of it
-    std::vector<bool> turned_over_;  // [stored] an edit turned it over in its place
-    std::vector<bool> lost_;         // [stored] not to be searched: nothing found could be trusted
-    std::vector<bool> doubtful_;     // [stored] what is found is a guess
+    std::vector<bool> turned_over_;            // [stored] an edit turned it over in its place
+    std::vector<bool> lost_;                   // [stored] not to be searched: nothing found could be trusted
+    std::vector<bool> doubtful_;               // [stored] what is found is a guess
     // Faces that match_covered() did not give the type of the stored one, sorted.
     std::vector<std::pair<FaceId, std::size_t>> refused_;
     // Faces found exactly, each with one that the stored face could have been as well.
     std::vector<std::pair<FaceId, FaceId>> rivals_;
-    std::vector<bool> merged_;         // [face] of a part that an edit made of fewer faces; or empty
     std::optional<MeshParts> pieces_;  // of the mesh, found when they are needed
-    std::vector<bool> mixed_;          // [of these] has several materials
-    std::vector<std::optional<std::vector<std::size_t>>>
-        remeshed_from_;                                        // [of these] stored parts, ascending
-    std::optional<std::set<std::uint32_t>> remeshed_objects_;  // their names
-    std::vector<bool> gone_;  // [stored part] nothing of it is as it was; found when it is needed
-    std::size_t union_visits_ = 0, outline_visits_ = 0;
-    bool bent_ = false;  // what match_union() looks for
+    std::size_t outline_visits_ = 0;
     MatchedOverrides result_;
 };
 

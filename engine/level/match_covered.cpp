@@ -133,7 +133,6 @@ double FaceMatcher::area_to_cover(FaceId face, std::span<const Cover> covers) {
 
 void FaceMatcher::match_covered(double least_dot, bool any_material) {
     std::vector<Cover> all;
-    flat_.resize(stored_.size(), Flat::none);
     const bool is_first = turned_over_.empty();
     turned_over_.resize(stored_.size(), false);
     std::vector<std::size_t> searched;
@@ -156,7 +155,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
         });
         for (std::size_t k = 0; k < covers.size(); ++k) {
             for (const Cover& cover : covers[k].found)
-                if (any_material || !is_of_remeshed_object(cover.face)) all.push_back(cover);
+                all.push_back(cover);
             lookup_.visits += covers[k].visits;
             if (covers[k].rough) sharpen(searched[begin + k]);
         }
@@ -171,7 +170,6 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
     };
     // Of each old face, covered by new ones, and by those of them in its plane.
     std::vector<double> total(stored_.size(), 0.0), flat(stored_.size(), 0.0);
-    std::vector<std::size_t> pieces(stored_.size(), 0);  // these
     each_face([&](std::span<Cover> covers) {
         std::vector<OldFace> old;
         for (const Cover& cover : covers)
@@ -182,21 +180,9 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
         for (std::size_t k = 0; k < covers.size(); ++k) {
             covers[k].area = areas[k];
             total[covers[k].i] += areas[k];
-            if (!covers[k].flat) continue;
-            flat[covers[k].i] += areas[k];
-            pieces[covers[k].i] += areas[k] > part_of_it * key(covers[k].i).area ? 1 : 0;
+            flat[covers[k].i] += covers[k].flat ? areas[k] : 0.0;
         }
     });
-    for (std::size_t i = 0; i < stored_.size(); ++i) {
-        const bool few = pieces[i] < few_pieces;
-        const bool whole = flat[i] > nearly_whole * key(i).area;
-        Flat left = Flat::none;
-        if (whole)
-            left = few ? Flat::whole_in_few : Flat::whole;
-        else if (few && flat[i] > left_fraction * key(i).area)
-            left = Flat::few;
-        flat_[i] = std::max(flat_[i], left);
-    }
     // Beside what is left of a face in its plane, small tilted faces are not it: its edges were bevelled. Nor
     // are faces that lie before or behind it, or across it, or any if all of it is left.
     for (Cover& cover : all) {
@@ -208,8 +194,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
                              (along > 0.9995 && is_off_plane(cover.face, key(cover.i))) ||
                              (across && flat[cover.i] > 0.5 * area) ||
                              face.area < (across ? 0.25 : 0.08) * area;
-        if (!cover.flat && flat[cover.i] > left_fraction * area && another &&
-            (pieces[cover.i] < few_pieces || !is_remeshed(cover.face, cover.i))) {
+        if (!cover.flat && flat[cover.i] > left_fraction * area && another) {
             total[cover.i] -= cover.area;
             cover.area = 0.0;
         }
@@ -225,8 +210,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
         for (const Cover& cover : covers) {
             if (is_other(cover.i)) continue;
             shares[*types_[cover.i]] += cover.area;
-            const bool same = bases_[cover.i] == index_.base(face);
-            own += same || (any_material && is_remeshed(face, cover.i)) ? cover.area : 0.0;
+            own += bases_[cover.i] == index_.base(face) ? cover.area : 0.0;
         }
         const double area = area_to_cover(face, covers);
         if (own <= part_of_it * area) return;

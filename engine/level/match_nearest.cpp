@@ -218,9 +218,7 @@ bool FaceMatcher::match_nearest(std::size_t i) {
         const double distance = (candidate.centroid - key.centroid).norm();
         const bool similar = candidate.area > 0.5 * key.area && candidate.area < 2.0 * key.area &&
                              candidate.normal.dot(normal) > 0.9 && distance <= size;
-        const bool merged = !merged_.empty() && merged_[face];  // what is nearest to it is decided
-        if (!is_free(face) || merged || is_refused(face, i) || !similar ||
-            (best != no_id && distance >= best_distance))
+        if (!is_free(face) || is_refused(face, i) || !similar || (best != no_id && distance >= best_distance))
             continue;
         // A face that moved straight along its normal need not cover the centre: it may be concave.
         const Vec3 offset = candidate.centroid - key.centroid;

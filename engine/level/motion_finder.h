@@ -3,19 +3,18 @@
 
 #include <array>
 #include <optional>
-#include <set>
 #include <span>
 #include <vector>
 
-#include "area_fit.h"
 #include "face_matcher.h"
 #include "part_support.h"
 #include "part_types.h"
-#include "similar_faces.h"
+#include "similar_corners.h"
 
 namespace slipface {
 
 inline constexpr std::size_t max_guesses = 500'000;  // motions examined, of all parts
+inline constexpr double enough_anchors = 0.7;        // of the anchor corners, that a motion must explain
 inline constexpr double lost_below = 0.3;            // of the anchor corners
 inline constexpr double in_place = 0.85;             // fraction of anchor corners of a part that stayed
 inline constexpr double vertices_in_order = 0.7;     // of PartSupport::vertex_order_kept(): not by chance
@@ -62,7 +61,7 @@ class MotionFinder {
     void try_ranks(std::size_t part);
     void try_boxes(std::size_t part);
     void try_box(std::size_t part, const Aabb& from, const Aabb& to);
-    void try_faces(std::size_t part);
+    void try_corners(std::size_t part);
     void refine_and_consider(std::size_t part, const PartMotion& rough);
     void add_candidate(std::size_t part, const PartMotion& motion);
     bool near_vertices(std::size_t part, const PartMotion& rough, std::vector<Vec3>& from,
@@ -82,8 +81,6 @@ class MotionFinder {
     // part_vertices.cpp: what the order of the vertices says
     void trust_vertices();
     std::optional<PartMotion> motion_of_vertices(std::size_t part, bool by_object);
-    void try_points(std::size_t part);
-    void try_corners(std::size_t part, const std::array<Vec3, 3>& from, std::span<const Vec3> to);
 
     // part_order.cpp: what the order of the faces says
     void try_order(std::size_t part);
@@ -101,29 +98,6 @@ class MotionFinder {
     void doubt(std::size_t part);
     bool is_unexplained(std::size_t part);
     bool lies_as_before(std::size_t part);
-    bool was_remeshed(std::size_t part);
-    bool level_stayed();
-    bool is_left_in_its_box(std::size_t part);
-    bool object_was_remeshed(std::size_t part);
-
-    // part_area.cpp: what little is left says
-    void fit_areas();
-    std::optional<PartMotion> motion_of_most() const;
-    void follow_areas(AreaFit& fit, std::span<const std::size_t> parts, const PartMotion& level);
-    void fit_objects(AreaFit& fit, std::span<const std::size_t> missing, std::vector<bool>& taken);
-    void fit_each(AreaFit& fit, std::span<const std::size_t> missing, std::vector<bool>& taken);
-    void follow_objects(AreaFit& fit, std::span<const std::size_t> missing);
-    void take_places(std::size_t part, std::vector<bool>& taken);  // [part of the mesh]
-    void accept_area(std::size_t part, const PartMotion& motion);
-    std::optional<PartMotion> clear_one(AreaFit& fit, std::span<const std::size_t> parts,
-                                        const std::vector<AreaMotion>& motions);
-    std::optional<PartMotion> of_one_kind(std::span<const std::size_t> parts,
-                                          const std::vector<AreaMotion>& motions, double least);
-    bool is_missing(std::size_t part);
-
-    // part_kept.cpp: what faces that an edit left as they were say
-    std::optional<PartMotion> motion_of_kept(std::span<const std::size_t> parts);
-    double kept(std::span<const FaceKey* const> painted, const PartMotion& motion) const;
 
     // part_follow.cpp: what the others did
     static bool is_explained(const Part& part) {
@@ -136,10 +110,6 @@ class MotionFinder {
     void follow_level();
     void one_part_each_place();
     bool is_claimed(std::size_t part, const PartMotion& motion) const;
-    void search_edited();
-    void follow(std::size_t part);
-    bool stays_edited(std::size_t part);
-    double alike_there(std::size_t part, const PartMotion& motion);
 
     FaceLookup& lookup_;
     const Mesh& mesh_;
@@ -149,7 +119,7 @@ class MotionFinder {
     const std::vector<StoredOverride>& overrides_;
     PartSupport support_;
     PartTypes types_;
-    SimilarFaces similar_;
+    SimilarCorners similar_;
     std::vector<Part> parts_;
     std::vector<std::size_t> painted_;    // [part] its painted faces
     std::vector<PartMotion> known_;       // the parts' best, to be tried with the next parts
@@ -158,13 +128,8 @@ class MotionFinder {
     std::vector<PartMotion> candidates_;  // all that nearly explain as much
     std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;
     std::size_t guesses_ = 0;
-    std::optional<std::set<std::uint32_t>> of_one_material_;  // objects_of_one_material(), when needed
-    std::optional<bool> level_stayed_;
-    std::size_t distances_ = 0;                    // compared by try_points()
     std::size_t in_order_ = 0, out_of_order_ = 0;  // parts that stayed
     bool has_order_ = true;                        // the order of the file is kept
-    double enough_anchors_ = 0.7;                  // fraction of anchor corners that a motion must explain
-    bool edited_ = false;                          // search_edited() is at work
 };
 
 }  // namespace slipface

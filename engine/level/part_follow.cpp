@@ -41,7 +41,7 @@ void MotionFinder::collect_moves() {
 bool MotionFinder::is_of_all(const PartMotion& motion) {
     for (std::size_t i = 0; i < parts_.size(); ++i)
         if (!support_.points(i).empty() && !same(stored_.parts[i].box, motion, parts_[i].best) &&
-            support_.support(i, motion, enough_anchors_).sum() < parts_[i].best_support.sum() - 1e-9)
+            support_.support(i, motion, enough_anchors).sum() < parts_[i].best_support.sum() - 1e-9)
             return false;
     return true;
 }
@@ -146,96 +146,6 @@ void MotionFinder::one_part_each_place() {
         part.voted = false;
         places_[i] = Aabb{};
     }
-}
-
-// Parts that were edited so much that most of their rim is gone, and moved, too. First those that say
-// something about their motion, then those that follow them.
-void MotionFinder::search_edited() {
-    edited_ = true;
-    enough_anchors_ = enough_of_edited;
-    for (const bool last : {false, true}) {
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            if (!is_unexplained(i)) continue;
-            Part& part = parts_[i];
-            follow(i);
-            if (!part.voted && !last) {
-                try_boxes(i);
-                try_faces(i);
-                if (part.best.is_identity()) try_points(i);
-            }
-            if (last && part.best.is_identity() && !part.voted) part.voted = stays_edited(i);
-            if (part.best.is_identity() && !part.voted) continue;
-            part.best.guessed = true;
-            places_[i] = support_.moved_box(i, part.best);
-        }
-        collect_moves();
-    }
-}
-
-// The motion of other parts, if it puts the part into a part of its size, or if what lies there is like it.
-void MotionFinder::follow(std::size_t i) {
-    Part& part = parts_[i];
-    for (const Move& move : moves_) {
-        consider(i, move.motion);
-        part.voted = !part.best.is_identity();
-        if (part.voted) return;
-    }
-    for (const Move& move : moves_) {
-        if (move.parts < others) return;
-        if (move.motion.is_identity() || is_claimed(i, move.motion) ||
-            alike_there(i, move.motion) < enough_alike)
-            continue;
-        part.best = move.motion;
-        part.best_support = support_.support(i, part.best, 0.0);
-        part.voted = true;
-        return;
-    }
-}
-
-// What is left of the part is where it was, as other parts are.
-bool MotionFinder::stays_edited(std::size_t i) {
-    const bool stay = std::any_of(moves_.begin(), moves_.end(), [](const Move& move) {
-        return move.motion.is_identity() && move.parts >= others;
-    });
-    return stay && !is_claimed(i, PartMotion{}) && alike_there(i, PartMotion{}) >= enough_alike;
-}
-
-// How much of the part's painted area the faces of its materials have that lie in its box after the motion:
-// what an edit left of it. A piece that reaches out of the box is another one, or turned, and one of as many
-// faces that is not where it was moved.
-double MotionFinder::alike_there(std::size_t i, const PartMotion& motion) {
-    const CollisionWorld* const tree = lookup_.tree();
-    if (tree == nullptr || lookup_.visits > max_visits) return 0.0;
-    const MeshParts& all = support_.all();
-    Aabb box = support_.moved_box(i, motion);
-    const Vec3 slack = Vec3::Constant(box_slack * box.size().norm());
-    box.min -= slack;
-    box.max += slack;
-    const auto is_in = [&](const Vec3& position) {
-        return ((position - box.min).array() >= 0.0).all() && ((box.max - position).array() >= 0.0).all();
-    };
-    std::map<std::string, double> area;  // [base material] in the box
-    for (const TriangleId triangle : tree->triangles_in(box)) {
-        ++lookup_.visits;
-        const FaceId face = tree->triangle_face(triangle);
-        Vec3 corners[3];
-        for (std::size_t c = 0; c < 3; ++c)
-            corners[c] = mesh_.corner_position(mesh_.triangles[triangle][c]).cast<double>();
-        if (!std::all_of(std::begin(corners), std::end(corners), is_in)) continue;
-        const PaintPart& piece = all.parts[all.of[face]];
-        if (!all.scattered[all.of[face]] && !(is_in(piece.box.min) && is_in(piece.box.max))) continue;
-        if (motion.is_identity() && piece.faces == stored_.parts[i].faces) return 0.0;
-        area[index_.base(face)] += 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
-    }
-    double painted = 0.0, found = 0.0;
-    for (const FaceKey* key : support_.keys(i)) {
-        const double size = moved_key(*key, motion).area;
-        double& left = area[base_material(key->material, surfaces_)];
-        painted += size;
-        found += std::min(size, left);
-        left -= std::min(size, left);
-    }
-    return painted > 0.0 ? found / painted : 0.0;
 }
 
 }  // namespace slipface

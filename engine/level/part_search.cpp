@@ -10,10 +10,10 @@ namespace slipface {
 namespace {
 
 constexpr std::size_t max_guesses_per_part = 8000;  // motions examined
-constexpr std::size_t max_candidates_per_anchor = 400;
-constexpr double clearly_more = 0.15;         // than staying explains; the most is 2
-constexpr double clearly_more_rim = 0.1;      // of the anchor corners alone
-constexpr std::size_t max_candidates = 1000;  // motions to vote on
+constexpr std::size_t max_places = 1600;            // of three corners
+constexpr double clearly_more = 0.15;               // than staying explains; the most is 2
+constexpr double clearly_more_rim = 0.1;            // of the anchor corners alone
+constexpr std::size_t max_candidates = 1000;        // motions to vote on
 
 Eigen::Matrix3Xd columns(const std::vector<Vec3>& corners) {
     return Eigen::Map<const Eigen::Matrix3Xd>(corners.front().data(), 3,
@@ -32,7 +32,7 @@ MotionFinder::MotionFinder(FaceLookup& lookup, SurfaceTable surfaces, const Pain
       overrides_(stored),
       support_(mesh_, index_, surfaces, parts, stored),
       types_(parts, stored),
-      similar_(mesh_, index_),
+      similar_(mesh_),
       parts_(parts.parts.size()),
       painted_(parts.parts.size(), 0) {
     for (const std::uint16_t part : parts.of)
@@ -69,9 +69,6 @@ std::vector<PartMotion> MotionFinder::run() && {
     follow_level();
     collect_moves();
     one_part_each_place();
-    fit_areas();
-    collect_moves();
-    search_edited();
     const bool symmetric = may_have_turned();
     std::vector<PartMotion> motions;
     for (std::size_t part = 0; part < parts_.size(); ++part) {
@@ -84,11 +81,7 @@ std::vector<PartMotion> MotionFinder::run() && {
             parts_[part].best_support = parts_[part].staying;
             parts_[part].voted = false;
         }
-        if (is_unexplained(part)) {
-            const bool stayed = lies_as_before(part) || was_remeshed(part) || object_was_remeshed(part) ||
-                                is_left_in_its_box(part);
-            (stayed ? best.guessed : best.lost) = true;
-        }
+        if (is_unexplained(part)) (lies_as_before(part) ? best.guessed : best.lost) = true;
     }
     find_flipped();
     for (const Part& part : parts_)
@@ -134,7 +127,7 @@ void MotionFinder::find(std::size_t i) {
     if (few || part.best.is_identity() || part.best_support.sum() < 2.0 - 1e-9 ||
         part.best_support.ranks < 0.75) {
         try_boxes(i);
-        try_faces(i);
+        try_corners(i);
     }
     if (!part.best.is_identity()) known_.push_back(part.best);
 }
@@ -142,8 +135,8 @@ void MotionFinder::find(std::size_t i) {
 void MotionFinder::consider(std::size_t i, const PartMotion& motion) {
     Part& part = parts_[i];
     ++guesses_;
-    MotionSupport found = support_.support(i, motion, enough_anchors_);
-    if (found.corners < enough_anchors_ || found.sum() < part.best_support.sum() - vote_slack) return;
+    MotionSupport found = support_.support(i, motion, enough_anchors);
+    if (found.corners < enough_anchors || found.sum() < part.best_support.sum() - vote_slack) return;
     found.ranks = ranks(i, motion);
     // What explains all needs to explain only a little more than staying does.
     const double more = found.sum() - part.staying.sum();
@@ -152,9 +145,7 @@ void MotionFinder::consider(std::size_t i, const PartMotion& motion) {
     if (found.corners < part.staying.corners + clearly_more_rim) return;
     if (!whole && part.staying.corners >= 0.5 && support_.stays_inside(i, motion)) return;
     if (support_.is_taken(i, motion)) return;
-    // What little is left of an edited part must at least fill the box.
-    if (edited_ && (!support_.becomes_box(i, motion, box_slack) || is_claimed(i, motion))) return;
-    if (!edited_) add_candidate(i, motion);
+    add_candidate(i, motion);
     constexpr std::size_t max_others = 32;
     if (part.others.size() < max_others) part.others.push_back({motion, found.sum(), found.ranks});
     const PaintPart& old = stored_.parts[i];
@@ -204,35 +195,34 @@ void MotionFinder::try_box(std::size_t i, const Aabb& from, const Aabb& to) {
         consider(i, motion);
 }
 
-// An anchor became a face of the same shape, turned, mirrored and scaled.
-void MotionFinder::try_faces(std::size_t i) {
-    struct Anchor {
-        const std::vector<Vec3f>* corners;
-        std::vector<FaceId> faces;
+// Three corners of an anchor became three of the same shape, turned, mirrored and scaled: first those that
+// are rare.
+void MotionFinder::try_corners(std::size_t i) {
+    constexpr std::size_t max_used = 4;
+    struct Three {
+        ThreeCorners corners;
+        std::size_t places;
     };
-    std::vector<Anchor> anchors;
+    std::vector<Three> threes;
     for (const AnchorFace& face : stored_.parts[i].anchors) {
-        const std::vector<Vec3f>& corners = face.corners;
-        double length = 0.0;
-        Vec3 sum = Vec3::Zero();
-        for (std::size_t c = 0; c < corners.size(); ++c) {
-            const Vec3 here = (corners[c] - corners[0]).cast<double>();
-            const Vec3 next = (corners[(c + 1) % corners.size()] - corners[0]).cast<double>();
-            length += (next - here).norm();
-            sum += here.cross(next);
+        const std::size_t count = face.corners.size();
+        for (std::size_t c = 0; c < count; ++c) {
+            const auto at = [&](std::size_t k) {
+                return face.corners[(c + k) % count].cast<double>().eval();
+            };
+            const ThreeCorners corners{at(0), at(1), at(2)};
+            if (const std::size_t places = similar_.count(corners); places > 0)
+                threes.push_back({corners, places});
         }
-        if (sum.norm() > 0.0) anchors.push_back({&corners, similar_.of(corners, length, 0.5 * sum.norm())});
     }
-    std::stable_sort(anchors.begin(), anchors.end(),
-                     [](const Anchor& a, const Anchor& b) { return a.faces.size() < b.faces.size(); });
+    std::stable_sort(threes.begin(), threes.end(),
+                     [](const Three& a, const Three& b) { return a.places < b.places; });
     const std::size_t begin = guesses_;
-    std::size_t used = 0;
-    for (const Anchor& anchor : anchors) {
-        if (anchor.faces.empty()) continue;
-        if (++used > 3) break;
-        for (std::size_t k = 0; k < anchor.faces.size() && k < max_candidates_per_anchor; ++k) {
+    for (std::size_t used = 0; used < threes.size() && used < max_used; ++used) {
+        const ThreeCorners& from = threes[used].corners;
+        for (const ThreeCorners& to : similar_.of(from, max_places)) {
             if (guesses_ - begin > max_guesses_per_part || guesses_ > max_guesses) return;
-            for (const PartMotion& motion : similar_.motions(*anchor.corners, anchor.faces[k]))
+            for (const PartMotion& motion : SimilarCorners::motions(from, to))
                 refine_and_consider(i, motion);
         }
         if (parts_[i].best_support.sum() > 1.9 && !parts_[i].best.is_identity()) break;
@@ -290,7 +280,7 @@ bool MotionFinder::near_vertices(std::size_t i, const PartMotion& rough, std::ve
                                  std::vector<Vec3>& to) const {
     const std::vector<Vec3>& points = support_.points(i);
     const auto allowed =
-        static_cast<std::size_t>((1.0 - enough_anchors_) * static_cast<double>(points.size()));
+        static_cast<std::size_t>((1.0 - enough_anchors) * static_cast<double>(points.size()));
     std::size_t misses = 0;
     for (const Vec3& point : points) {
         const std::uint32_t vertex = support_.grid().nearest(rough(point), support_.grid().widest());

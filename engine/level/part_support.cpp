@@ -249,15 +249,6 @@ std::vector<std::uint32_t> PartSupport::parts_at(std::size_t i, const PartMotion
     return parts;
 }
 
-std::vector<std::vector<Vec3>> PartSupport::places() {
-    all();
-    std::vector<std::vector<Vec3>> places(all_->parts.size());
-    for (std::uint32_t vertex = 0; vertex < vertex_part_.size(); ++vertex)
-        if (vertex_part_[vertex] != no_id && all_->first_there[vertex] == vertex)
-            places[vertex_part_[vertex]].push_back(mesh_.positions[vertex].cast<double>());
-    return places;
-}
-
 double PartSupport::ranks_kept(std::size_t i, const PartMotion& motion) {
     const std::vector<AnchorFace>& anchors = stored_.parts[i].anchors;
     std::size_t kept = 0;
@@ -418,55 +409,9 @@ bool lies_in(const Aabb& a, const Aabb& b, double slack) {
     return ((a.min - b.min).array() >= -slack).all() && ((b.max - a.max).array() >= -slack).all();
 }
 
-bool touch(const Aabb& a, const Aabb& b) {
-    return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
-}
-
 bool similar_box(const Aabb& a, const Aabb& b, double slack) {
     const double most = slack * b.size().norm();
     return (a.min - b.min).norm() <= most && (a.max - b.max).norm() <= most;
-}
-
-std::set<std::uint32_t> objects_of_one_material(const FaceIndex& index, const MeshParts& now,
-                                                const PaintParts& before,
-                                                const std::vector<StoredOverride>& stored,
-                                                SurfaceTable surfaces) {
-    struct Object {
-        std::size_t before = 0, now = 0;
-        Aabb box_before, box_now;
-        std::set<std::string> materials;  // of its painted faces, before
-        std::string_view material;
-        bool mixed = false;
-    };
-    std::map<std::uint32_t, Object> objects;
-    const auto add = [](Aabb& box, const Aabb& part) {
-        box.add(part.min);
-        box.add(part.max);
-    };
-    for (const PaintPart& part : before.parts) {
-        Object& object = objects[part.object.name];
-        ++object.before;
-        add(object.box_before, part.box);
-    }
-    for (std::size_t i = 0; i < stored.size() && i < before.of.size(); ++i)
-        if (before.of[i] > 0 && before.of[i] <= before.parts.size())
-            objects[before.parts[before.of[i] - 1u].object.name].materials.insert(
-                base_material(stored[i].key.material, surfaces));
-    for (std::size_t piece = 0; piece < now.parts.size(); ++piece) {
-        Object& object = objects[now.parts[piece].object.name];
-        ++object.now;
-        add(object.box_now, now.parts[piece].box);
-        if (object.now == 1) object.material = index.base(now.sorted[now.first[piece]]);
-        for (std::uint32_t k = now.first[piece]; k < now.first[piece + 1] && !object.mixed; ++k)
-            object.mixed = index.base(now.sorted[k]) != object.material;
-    }
-    std::set<std::uint32_t> names;
-    for (const auto& [name, object] : objects)
-        if (name != 0 && !object.mixed && object.now > 0 &&
-            (object.now < object.before || object.materials.size() > 1) &&
-            similar_box(object.box_now, object.box_before, remeshed_slack))
-            names.insert(name);
-    return names;
 }
 
 }  // namespace slipface

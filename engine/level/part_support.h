@@ -15,24 +15,11 @@ namespace slipface {
 // The fraction of a box's diagonal by which edits in place change it.
 inline constexpr double box_slack = 0.05;
 
-// The same of a remesh: a small part loses a voxel on each side.
-inline constexpr double remeshed_slack = 0.2;
-
 // True if the corners of the boxes are at most this fraction of the diagonal of `b` apart.
 bool similar_box(const Aabb& a, const Aabb& b, double slack);
 
 // True if the box `a` lies in `b`, up to `slack` (units).
 bool lies_in(const Aabb& a, const Aabb& b, double slack);
-
-// True if the boxes have a point in common.
-bool touch(const Aabb& a, const Aabb& b);
-
-// The names of objects that fill the box that they filled before, but are of one material, though they were
-// of several or have fewer pieces than before. If nothing of them is as it was, they were remeshed.
-std::set<std::uint32_t> objects_of_one_material(const FaceIndex& index, const MeshParts& now,
-                                                const PaintParts& before,
-                                                const std::vector<StoredOverride>& stored,
-                                                SurfaceTable surfaces);
 
 struct MotionSupport {
     double corners = 0.0, keys = 0.0;  // fractions
@@ -98,9 +85,6 @@ class PartSupport {
 
     // The part is not where it was: what lies in its box now is another one.
     void set_gone(std::size_t part) { samples_[part].gone = true; }
-
-    // [part of the mesh] its different positions.
-    std::vector<std::vector<Vec3>> places();
 
     // The mesh's parts at the part's points after the motion, of each point.
     std::vector<std::uint32_t> parts_at(std::size_t part, const PartMotion& motion);

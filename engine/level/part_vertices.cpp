@@ -14,9 +14,6 @@ constexpr double most = 0.6;        // of a part's vertices are where they were,
 constexpr std::size_t little = 12;  // points beyond those that a motion needs
 constexpr std::size_t needed = 4;   // points for an affine motion
 
-constexpr std::size_t max_place = 2000;             // vertices of a part that is searched for corners
-constexpr std::size_t max_distances = 200'000'000;  // compared in all
-
 }  // namespace
 
 // The motion that puts each point onto the vertex of its number, in the file or in its object. Identity if
@@ -92,72 +89,6 @@ void MotionFinder::trust_vertices() {
         if (stays) continue;
         support_.set_gone(i);
         known_.push_back(part.best);
-    }
-}
-
-// A part that was decimated has other faces, but some of its corners are left: three of them that are as far
-// from each other as before.
-void MotionFinder::try_points(std::size_t i) {
-    constexpr std::size_t tries = 12;
-    const std::vector<Vec3>& points = support_.points(i);
-    if (points.size() < 2 * needed) return;
-    const double size = support_.moved_box(i, PartMotion{}).size().norm();
-    // points() are spread, so three that follow each other are far apart.
-    std::vector<std::array<Vec3, 3>> corners;
-    for (std::size_t step = 1; step < points.size() / 3 && corners.size() < tries; ++step) {
-        for (std::size_t k = 0; k + 2 * step < points.size() && corners.size() < tries; k += 3) {
-            const std::array<Vec3, 3> three{points[k], points[k + step], points[k + 2 * step]};
-            const double area = (three[1] - three[0]).cross(three[2] - three[0]).norm();
-            if (area > 0.1 * size * size) corners.push_back(three);
-        }
-    }
-    std::vector<std::vector<Vec3>> places = support_.places();
-    for (std::size_t k = 0; k < parts_.size(); ++k)  // where others are, it is not
-        if (parts_[k].best_support.corners >= in_place)
-            for (const std::uint32_t part : support_.parts_at(k, parts_[k].best))
-                places[part].clear();
-    for (const std::vector<Vec3>& place : places) {
-        Aabb box;
-        for (const Vec3& position : place)
-            box.add(position);
-        if (place.empty() || place.size() > max_place || box.size().norm() < 0.5 * size ||
-            box.size().norm() > 2.0 * size)
-            continue;
-        for (const std::array<Vec3, 3>& three : corners)
-            try_corners(i, three, place);
-    }
-}
-
-void MotionFinder::try_corners(std::size_t i, const std::array<Vec3, 3>& from, std::span<const Vec3> to) {
-    constexpr std::size_t max_found = 200;  // motions
-    const bool flat = stored_.parts[i].box.size().minCoeff() <= 0.0;
-    const double slack = 4.0 * (position_tolerance(from[0]) + position_tolerance(to[0]));
-    const auto apart = [&](const Vec3& a, const Vec3& b, int k, int l) {
-        ++distances_;
-        return std::abs((a - b).norm() -
-                        (from[static_cast<std::size_t>(k)] - from[static_cast<std::size_t>(l)]).norm()) <=
-               slack;
-    };
-    Eigen::Matrix3Xd old_corners(3, 3), new_corners(3, 3);
-    old_corners << from[0], from[1], from[2];
-    std::size_t found = 0;
-    for (const Vec3& a : to) {
-        for (const Vec3& b : to) {
-            if (distances_ > max_distances || guesses_ > max_guesses || found > max_found) return;
-            if (!apart(a, b, 0, 1)) continue;
-            for (const Vec3& c : to) {
-                if (!apart(a, c, 0, 2) || !apart(b, c, 1, 2)) continue;
-                new_corners << a, b, c;
-                for (const bool mirrored : {false, true}) {
-                    if (mirrored && flat) break;  // turning it over is the same
-                    const std::optional<PartMotion> motion =
-                        fit_similarity(old_corners, new_corners, mirrored);
-                    if (!motion) continue;
-                    ++found;
-                    refine_and_consider(i, *motion);
-                }
-            }
-        }
     }
 }
 

@@ -8,17 +8,6 @@
 #include "slipface/level/material_name.h"
 
 namespace slipface {
-namespace {
-
-Aabb face_box(const Mesh& mesh, FaceId face) {
-    Aabb box;
-    for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c)
-        box.add(mesh.corner_position(c).cast<double>());
-    return box;
-}
-
-}  // namespace
-
 // Equal crates can go to each other's new places, and symmetric parts can turn. The motion that explains
 // the most parts is theirs, then the one that explains the most of the others.
 void MotionFinder::vote() {
@@ -34,11 +23,11 @@ void MotionFinder::vote() {
         for (std::size_t k = 0; k < candidates_.size() && votes_ < max_guesses; ++k) {
             ++votes_;
             const auto allowed = [&](const PartMotion& motion) {
-                const MotionSupport found = support_.support(i, motion, enough_anchors_);
+                const MotionSupport found = support_.support(i, motion, enough_anchors);
                 // What puts every corner in its place may miss faces: they were extruded or deleted.
                 const bool fits =
                     found.sum() >= parts_[i].best_support.sum() - vote_slack || found.corners > 1.0 - 1e-9;
-                return found.corners >= enough_anchors_ && fits && !support_.is_taken(i, motion) &&
+                return found.corners >= enough_anchors && fits && !support_.is_taken(i, motion) &&
                        support_.fills_box(i, motion);
             };
             std::optional<PartMotion> motion = candidates_[k];
@@ -78,7 +67,7 @@ void MotionFinder::vote() {
             if (own == voter.motions.end()) return false;
             Part& part = parts_[voter.part];
             part.best = voter.exact[static_cast<std::size_t>(own - voter.motions.begin())];
-            part.best_support = support_.support(voter.part, part.best, enough_anchors_);
+            part.best_support = support_.support(voter.part, part.best, enough_anchors);
             part.voted = true;
             return true;
         });
@@ -152,105 +141,6 @@ bool MotionFinder::lies_as_before(std::size_t i) {
     return std::max((by_area / found).determinant(), (by_face / faces).determinant()) > can_slide;
 }
 
-// Whether pieces of one material lie in the part's box and most of their area in planes of its painted faces:
-// an edit made it of new faces and lost some of it, as remeshing does with walls that enclose nothing.
-bool MotionFinder::was_remeshed(std::size_t i) {
-    constexpr double most = 0.75, one_plane = 0.999;
-    constexpr std::size_t max_planes = 200;
-    const double slack = 1e-3 * stored_.parts[i].box.size().norm();
-    struct Plane {
-        Vec3 normal;
-        double offset;
-    };
-    std::vector<Plane> planes;
-    const auto is_in_one = [&](const Vec3& normal, const Vec3& point) {
-        return std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
-            return std::abs(plane.normal.dot(normal)) > one_plane &&
-                   std::abs(plane.normal.dot(point) - plane.offset) <= slack;
-        });
-    };
-    for (const FaceKey* key : support_.keys(i)) {
-        const Vec3 normal = unit_or_zero(key->normal);
-        if (!normal.isZero() && planes.size() < max_planes && !is_in_one(normal, key->centroid))
-            planes.push_back({normal, normal.dot(key->centroid)});
-    }
-    const MeshParts& all = support_.all();
-    for (std::uint32_t piece = 0; piece < all.parts.size() && lookup_.visits < max_visits; ++piece) {
-        if (all.scattered[piece] || support_.is_occupied(piece) ||
-            all.parts[piece].faces == stored_.parts[i].faces ||
-            !lies_in(all.parts[piece].box, stored_.parts[i].box, slack))
-            continue;
-        double area = 0.0, in_planes = 0.0;
-        bool mixed = false;
-        for (std::uint32_t k = all.first[piece]; k < all.first[piece + 1]; ++k) {
-            ++lookup_.visits;
-            const FaceKey& key = index_.key(all.sorted[k]);
-            mixed = mixed || index_.base(all.sorted[k]) != index_.base(all.sorted[all.first[piece]]);
-            area += key.area;
-            in_planes += is_in_one(key.normal, key.centroid) ? key.area : 0.0;
-        }
-        if (!mixed && in_planes > most * area) return true;
-    }
-    return false;
-}
-
-// Whether parts with more than half of the painted faces are where they were.
-bool MotionFinder::level_stayed() {
-    if (level_stayed_) return *level_stayed_;
-    std::size_t stayed = 0, all = 0;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-        all += painted_[i];
-        if (parts_[i].best.is_identity() && !parts_[i].best.lost && !is_unexplained(i)) stayed += painted_[i];
-    }
-    level_stayed_ = 2 * stayed > all;
-    return *level_stayed_;
-}
-
-// Whether fewer faces than the part's, of its materials, lie in its box, and most of the level stayed: what
-// decimating leaves of a small piece.
-bool MotionFinder::is_left_in_its_box(std::size_t i) {
-    constexpr double enough = 0.1;  // of the painted area
-    const CollisionWorld* const tree = lookup_.tree();
-    if (tree == nullptr || !level_stayed()) return false;
-    std::set<std::string> materials;
-    double painted = 0.0;
-    for (const FaceKey* key : support_.keys(i)) {
-        materials.insert(base_material(key->material, surfaces_));
-        painted += key->area;
-    }
-    const Aabb& box = stored_.parts[i].box;
-    const double slack = 1e-3 * box.size().norm();
-    double left = 0.0;
-    std::size_t faces = 0;
-    FaceId last = no_id;
-    for (const TriangleId triangle : tree->triangles_in(box)) {
-        ++lookup_.visits;
-        const FaceId face = tree->triangle_face(triangle);
-        if (face == last) continue;
-        last = face;
-        const std::uint32_t piece = support_.all().of[face];
-        if ((support_.is_occupied(piece) && !support_.all().scattered[piece]) || support_.differ(i, piece) ||
-            !materials.contains(index_.base(face)) || !lies_in(face_box(mesh_, face), box, slack))
-            continue;
-        left += index_.key(face).area;
-        ++faces;
-    }
-    return faces < stored_.parts[i].faces && left > enough * painted;
-}
-
-// Whether an edit made other pieces of one material of all parts of the part's object, none of which is as it
-// was.
-bool MotionFinder::object_was_remeshed(std::size_t i) {
-    if (!of_one_material_)
-        of_one_material_ = objects_of_one_material(index_, support_.all(), stored_, overrides_, surfaces_);
-    const std::uint32_t name = stored_.parts[i].object.name;
-    if (!of_one_material_->contains(name)) return false;
-    for (std::size_t part = 0; part < parts_.size(); ++part)
-        if (stored_.parts[part].object.name == name && parts_[part].best_support.keys >= lost_below)
-            return false;
-    return true;
-}
-
 // Two equal parts that a motion of others put into each other's place look as if they had stayed, but the
 // order of their faces says that they did not.
 void MotionFinder::exchange(std::size_t i) {
@@ -265,7 +155,7 @@ void MotionFinder::exchange(std::size_t i) {
     for (const Move& move : moves_) {
         const PartMotion& motion = move.motion;
         if (motion.is_identity()) continue;
-        const MotionSupport found = support_.support(i, motion, enough_anchors_);
+        const MotionSupport found = support_.support(i, motion, enough_anchors);
         if (found.sum() < part.staying.sum() - 1e-9) continue;
         const double moved = order(i, motion);
         if (!has_order_ && moved < both_orders && !move.of_all) {
@@ -301,7 +191,7 @@ void MotionFinder::doubt(std::size_t i) {
         for (const PartMotion& motion : box_motions(stored_.parts[i].box, stored_.parts[i].box))
             if (turns_in_place(i, motion) && support_.order_kept(i, motion) >= 1.0 &&
                 stored_.parts[i].anchors.size() >= enough_for_order)
-                part.others.push_back({motion, support_.support(i, motion, enough_anchors_).sum(), 1.0});
+                part.others.push_back({motion, support_.support(i, motion, enough_anchors).sum(), 1.0});
     }
     const bool few = !stays && stored_.parts[i].anchors.size() < few_anchors;
     const double best_ranks = ranks(i, part.best);

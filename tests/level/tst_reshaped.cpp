@@ -298,7 +298,7 @@ TEST(Reshaped, ATriangleOfTheSamePlaceAndSizeWithOtherCornersIsAGuess) {
 
 // Lids of five faces, of which decimating left two or three triangles and no corner in its place, on a floor
 // that is as it was.
-TEST(Reshaped, SmallPiecesOfWhichFewFacesAreLeftKeepTheirTypes) {
+TEST(Reshaped, SmallPiecesOfWhichFewFacesAreLeftGetNoOtherTypes) {
     Count count;
     for (unsigned seed = 1; seed <= 40; ++seed) {
         Random random(seed);
@@ -332,7 +332,6 @@ TEST(Reshaped, SmallPiecesOfWhichFewFacesAreLeftKeepTheirTypes) {
         add(count, after, rematch(before, after));
     }
     EXPECT_EQ(count.wrong, 0u);
-    EXPECT_LE(count.listed * 100, count.painted);
 }
 
 }  // namespace
