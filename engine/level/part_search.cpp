@@ -127,7 +127,8 @@ void MotionFinder::find(std::size_t i) {
     if (few || part.best.is_identity() || part.best_support.sum() < 2.0 - 1e-9 ||
         part.best_support.ranks < 0.75) {
         try_boxes(i);
-        try_corners(i);
+        // Of what is still there in part, equal tiles elsewhere say nothing.
+        if (part.staying.corners < lost_below) try_corners(i);
     }
     if (!part.best.is_identity()) known_.push_back(part.best);
 }
