@@ -231,7 +231,6 @@ MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
         if (part == no_id) {
             part = static_cast<std::uint32_t>(result.parts.size());
             result.parts.emplace_back().object = objects[mesh.face_group[face]];
-            result.scattered.push_back(small);
         }
         result.of[face] = part;
         ++result.parts[part].faces;

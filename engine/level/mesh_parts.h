@@ -9,7 +9,6 @@ namespace slipface {
 
 struct MeshParts {
     std::vector<PaintPart> parts;   // without anchors
-    std::vector<bool> scattered;    // [part] the small pieces of a group together
     std::vector<std::uint32_t> of;  // [face] its part
     // The faces of each part in the order of AnchorFace::rank.
     std::vector<std::uint32_t> first;  // [part + 1]

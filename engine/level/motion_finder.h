@@ -49,7 +49,6 @@ class MotionFinder {
     struct Move {
         PartMotion motion;
         std::size_t parts = 0;  // that made it
-        std::size_t faces = 0;  // of them, painted
         bool of_all = false;    // all others could have made it, too
     };
 

@@ -78,17 +78,6 @@ std::optional<PartMotion> fit_similarity(Eigen::Matrix3Xd from, const Eigen::Mat
     return motion;
 }
 
-std::optional<PartMotion> fit_rigid(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
-    const auto count = static_cast<Eigen::Index>(from.size());
-    const Eigen::Map<const Eigen::Matrix3Xd> a(from.front().data(), 3, count), b(to.front().data(), 3, count);
-    const Eigen::Matrix4d fitted = Eigen::umeyama(a, b, false);
-    if (!fitted.allFinite()) return std::nullopt;
-    PartMotion motion;
-    motion.linear = fitted.topLeftCorner<3, 3>();
-    motion.offset = fitted.topRightCorner<3, 1>();
-    return motion;
-}
-
 std::vector<PartMotion> box_motions(const Aabb& from, const Aabb& to) {
     static const std::vector<Eigen::Matrix3d> turns = axis_turns();
     std::vector<PartMotion> motions;

@@ -26,9 +26,6 @@ std::optional<PartMotion> fit_affine(const Eigen::Matrix3Xd& from, const Eigen::
 // The least-squares turn, uniform scale and offset of the columns; `mirrored`: with a reflection.
 std::optional<PartMotion> fit_similarity(Eigen::Matrix3Xd from, const Eigen::Matrix3Xd& to, bool mirrored);
 
-// The least-squares turn and offset of at least three points.
-std::optional<PartMotion> fit_rigid(const std::vector<Vec3>& from, const std::vector<Vec3>& to);
-
 // The motions that turn and mirror a box along the axes and make it another box; at most 48.
 std::vector<PartMotion> box_motions(const Aabb& from, const Aabb& to);
 

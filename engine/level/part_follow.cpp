@@ -12,7 +12,6 @@ namespace {
 
 constexpr double enough_of_edited = 0.25;  // anchor corners of a part that an edit changed, too
 constexpr std::size_t others = 2;          // parts with a motion that say what the rest did
-constexpr double enough_alike = 0.4;
 
 }  // namespace
 
@@ -31,7 +30,6 @@ void MotionFinder::collect_moves() {
             for (Move& move : moves_) {
                 if (!same(stored_.parts[i].box, move.motion, parts_[i].best)) continue;
                 ++move.parts;
-                move.faces += painted_[i];
             }
     std::stable_sort(moves_.begin(), moves_.end(),
                      [](const Move& a, const Move& b) { return a.parts > b.parts; });
