@@ -2,6 +2,7 @@
 
 #include <assimp/config.h>
 #include <assimp/scene.h>
+#include <assimp/version.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
@@ -60,7 +61,7 @@ class SceneReader {
                 const std::string& location, WarningList& warnings)
         : scene_(scene),
           root_is_frame_(frame.root_is_frame),
-          two_sided_twice_(extension == "ac"),
+          two_sided_twice_(extension == "ac" && aiGetVersionMajor() >= 6),
           location_(location),
           warnings_(warnings),
           materials_(scene_materials(scene, extension)),
