@@ -1,5 +1,10 @@
 #include "app/screens.h"
 
+#include <fmt/format.h>
+#if defined(__x86_64__)
+#include <cpuid.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -124,6 +129,18 @@ ScriptInputs script_inputs(std::string_view text, const ScreenHeader& header, co
     return found;
 }
 
+// Dear ImGui's edges come of an approximate square root (rsqrtss), whose last bits each model of processor
+// has of its own. "6.207": family and model; empty where it is not known.
+std::string processor_model() {
+#if defined(__x86_64__)
+    unsigned about = 0, ignored = 0;
+    if (__get_cpuid(1, &about, &ignored, &ignored, &ignored) != 0)
+        return fmt::format("{}.{}", (about >> 8 & 0xf) + (about >> 20 & 0xff),
+                           (about >> 4 & 0xf) + (about >> 12 & 0xf0));
+#endif
+    return "";
+}
+
 // The script, the visible widgets, and the renderer.
 std::string screen_numbers(const OffscreenHost& host, const ScriptInputs& script, InputBook& book) {
     nlohmann::ordered_json numbers;
@@ -139,6 +156,7 @@ std::string screen_numbers(const OffscreenHost& host, const ScriptInputs& script
     numbers["widgets"] = widgets;
     numbers["inputs"] = nlohmann::ordered_json::parse(inputs_json(script.inputs, book));
     numbers["renderer"] = nlohmann::ordered_json::parse(renderer_fingerprint(host.context()));
+    numbers["renderer"]["model"] = processor_model();
     numbers["renderer"]["interface"] = ui::interface_release();
     return numbers_to_text(numbers.dump());
 }

@@ -4,9 +4,6 @@
 #include <array>
 #include <map>
 #include <memory>
-#if defined(__x86_64__)
-#include <cpuid.h>
-#endif
 
 #include "goldens/camera_names.h"
 #include "slipface/scenes/demo.h"
@@ -260,13 +257,8 @@ std::string renderer_fingerprint(const OffscreenContext& context) {
     json["backend"] = context.backend_name();
     json["renderer"] = context.renderer();
     json["version"] = context.version();
-    // Mesa compiles its rasteriser for the processor's model, and the last bit of a colour depends on it.
     std::string features;
 #if defined(__x86_64__)
-    unsigned about = 0, ignored = 0;
-    if (__get_cpuid(1, &about, &ignored, &ignored, &ignored) != 0)
-        features = fmt::format("model {}.{}", (about >> 8 & 0xf) + (about >> 20 & 0xff),
-                               (about >> 4 & 0xf) + (about >> 12 & 0xf0));
     const std::array<std::pair<const char*, bool>, 5> known{
         {{"sse4.1", __builtin_cpu_supports("sse4.1") != 0},
          {"avx", __builtin_cpu_supports("avx") != 0},
