@@ -6,6 +6,7 @@
 #include "panels/property_rows.h"
 #include "tools/commands/icons.h"
 #include "tools/props/props.h"
+#include "widgets/imgui_compat.h"
 #include "widgets/ui.h"
 
 namespace slipface {
