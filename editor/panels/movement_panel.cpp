@@ -69,29 +69,31 @@ void choice_control(Editor& editor, const SettingInfo& info, double value, const
         put(editor, info, static_cast<double>(index));
 }
 
-// A choice takes the whole width, so that its words are never cut.
+// A choice takes the whole width, so that its words are never cut: beside its label if both fit, else below.
 void choice_row(Editor& editor, const SettingInfo& info) {
     const double value = get_setting(editor.document->level().movement, info);
     const double standard = get_setting(standard_settings(editor), info);
-    const float indent = *info.switch_name ? 1.2f * ImGui::GetFontSize() : 0.0f;
+    const float em = ImGui::GetFontSize(), indent = *info.switch_name ? 1.2f * em : 0.0f;
+    const std::string tooltip = setting_tooltip(info);
+    float words = 0.0f;
+    for (const auto& [name, meaning] : choices_of(info))
+        words = std::max(words, ImGui::CalcTextSize(words_of(name).c_str()).x);
+    const float box = words + 2.5f * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight();
     ImGui::PushID(info.name);
     if (begin_property_rows("choice", ImGui::GetContentRegionAvail().x, 3.2f)) {
         property_row("", nullptr, value != standard);
         ImGui::TableSetColumnIndex(1);
         const float x = ImGui::GetCursorPosX() + indent, room = ImGui::GetContentRegionAvail().x - indent;
-        const float label_width =
-            std::min(0.46f * room, ImGui::CalcTextSize(info.label).x + 0.6f * ImGui::GetFontSize());
         ImGui::SetCursorPosX(x);
-        const ImVec2 at = ImGui::GetCursorScreenPos();
         ImGui::AlignTextToFramePadding();
-        ui::ellipsis({at.x, at.y + ImGui::GetStyle().FramePadding.y},
-                     at.x + label_width - 0.3f * ImGui::GetFontSize(), ui::palette().text, info.label);
-        ImGui::Dummy({label_width - 0.3f * ImGui::GetFontSize(), ImGui::GetFrameHeight()});
-        ui::tooltip(setting_tooltip(info).c_str());
-        ImGui::SameLine();
-        ImGui::SetCursorPosX(x + label_width);
+        ImGui::TextUnformatted(info.label);
+        ui::tooltip(tooltip.c_str());
+        if (label_width_of(info.label) + 0.6f * em + box <= room)
+            ImGui::SameLine(0, 0.6f * em);
+        else
+            ImGui::SetCursorPosX(x);
         ImGui::SetNextItemWidth(-1.0f);
-        choice_control(editor, info, value, setting_tooltip(info));
+        choice_control(editor, info, value, tooltip);
         ImGui::TableSetColumnIndex(2);
         if (reset_cell(info.label, value != standard)) put(editor, info, standard);
         end_property_rows();
@@ -125,7 +127,7 @@ void switch_row(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     const bool modified = (on ? 1.0 : 0.0) != standard;
     const std::string tooltip = setting_tooltip(info);
     ImGui::PushID(info.name);
-    if (begin_property_rows("switch", ImGui::GetContentRegionAvail().x)) {
+    if (begin_property_rows("switch", ImGui::GetContentRegionAvail().x, hack_cell_em)) {
         property_row("", nullptr, modified);
         ImGui::TableSetColumnIndex(1);
         if (ui::checkbox(info.label, &on, tooltip.c_str()))

@@ -62,40 +62,16 @@ void head_row(Editor& editor) {
     ui::tooltip("Faces or types have changed since");
 }
 
-// One toggle per kind found, as many per line as fit.
 void filter_row(Editor& editor) {
     const ui::Scope scope("Filter");
-    const ui::Palette& p = ui::palette();
-    const float scale = ui::scale();
-    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-    bool first = true;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8 * scale, 2 * scale});
-    ImGui::PushStyleVar(ImGuiStyleVar_FrameRounding, 10 * scale);
-    ui::push_font(ui::fonts().small);
-    for (const ProblemKindInfo& kind : problem_kinds()) {
-        const std::size_t count = count_now(editor, kind.kind);
-        if (count == 0) continue;
-        const bool shown = !hidden(editor, kind.kind);
-        const std::string label = fmt::format("{}  {}###{}", kind.label, count, kind.label);
-        const float width = ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 16 * scale;
-        if (!first) {
-            ImGui::SameLine(0, 4 * scale);
-            if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
-        }
-        first = false;
-        ImGui::PushStyleColor(ImGuiCol_Button, shown ? ui::with_alpha(p.accent, 0.20f) : p.raised);
-        ImGui::PushStyleColor(ImGuiCol_Text, shown ? p.text : p.muted);
-        if (ImGui::Button(label.c_str()))
+    ui::Chips chips;
+    for (const ProblemKindInfo& kind : problem_kinds())
+        if (const std::size_t count = count_now(editor, kind.kind);
+            count > 0 && chips.chip(kind.label, count, !hidden(editor, kind.kind)))
             editor.session.hidden_kinds ^= 1u << static_cast<unsigned>(kind.kind);
-        ImGui::PopStyleColor(2);
-        ui::record_last_item(kind.label, true, shown);
-        ui::tooltip(shown ? "Click to hide these" : "Click to show these");
-    }
-    ImGui::PopFont();
-    ImGui::PopStyleVar(2);
 }
 
-// A line that can be clicked. Its text is clipped at the right; the tooltip shows all of it.
+// A line that can be clicked. What does not fit of its text is in the tooltip, and below it once it is open.
 bool row(const std::string& id, const std::string& name, const std::string& text, bool open) {
     const float scale = ui::scale();
     const bool pressed = ImGui::Selectable(("##" + id).c_str(), open);
@@ -104,7 +80,17 @@ bool row(const std::string& id, const std::string& name, const std::string& text
     ImGui::SameLine(8 * scale);
     ImGui::TextUnformatted(name.c_str());
     ImGui::SameLine(86 * scale);
-    ImGui::TextColored(ui::palette().muted, "%s", text.c_str());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (!open || ImGui::CalcTextSize(text.c_str()).x <= room) {
+        ui::ellipsis(at, at.x + room, ui::palette().muted, text);
+        ImGui::NewLine();
+    } else {
+        ImGui::NewLine();
+        ImGui::Indent(8 * scale);
+        ui::muted_text(text.c_str());
+        ImGui::Unindent(8 * scale);
+    }
     return pressed;
 }
 

@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "panels/input_lanes.h"
 #include "panels/lab_track.h"
 #include "tools/commands/icons.h"
+#include "tools/lab/why.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
 
@@ -17,7 +21,7 @@ namespace {
 constexpr float name_width = 118.0f, lane_height = 17.0f, marker_height = 20.0f, ruler_height = 16.0f,
                 marker_radius = 5.5f;
 
-enum class Shape { up, down, square, circle, diamond, cross };
+enum class Shape { up, down, square, diamond, cross, dot };
 
 struct Marker {
     const char* kind;  // as events name it
@@ -34,17 +38,22 @@ const Marker markers[] = {
     {"surface", "comes onto", Shape::square, {0.80f, 0.47f, 0.65f, 1}},
     {"climb", "takes hold of", Shape::square, {0.90f, 0.62f, 0.0f, 1}},
     {"stick", "sticks to", Shape::square, {0.90f, 0.62f, 0.0f, 1}},
-    {"contact", "touches a wall", Shape::circle, {1.0f, 0.86f, 0.20f, 1}},
     {"push-out", "is pushed out of geometry", Shape::diamond, {1.0f, 0.60f, 0.18f, 1}},
     {"crushed", "is crushed by a platform", Shape::cross, {0.937f, 0.400f, 0.361f, 1}},
     {"hazard", "touches a hazard", Shape::cross, {0.937f, 0.400f, 0.361f, 1}},
+    {"dash", "dashes", Shape::diamond, {0.34f, 0.71f, 0.91f, 1}},
+    {"grab", "grabs a ledge", Shape::square, {0.90f, 0.62f, 0.0f, 1}},
+    {"crouch", "crouches", Shape::down, {0.62f, 0.66f, 0.72f, 1}},
+    {"stand up", "stands up", Shape::up, {0.62f, 0.66f, 0.72f, 1}},
     {"fall", "falls out of the level", Shape::cross, {0.937f, 0.400f, 0.361f, 1}},
 };
 
-const Marker* find_marker(std::string_view kind) {
+const Marker other_marker{"", "", Shape::dot, {0.62f, 0.66f, 0.72f, 1}};
+
+const Marker& find_marker(std::string_view kind) {
     for (const Marker& marker : markers)
-        if (kind == marker.kind) return &marker;
-    return nullptr;
+        if (kind == marker.kind) return marker;
+    return other_marker;
 }
 
 void draw_marker(ImDrawList& list, const Marker& marker, ImVec2 c, float r) {
@@ -59,7 +68,7 @@ void draw_marker(ImDrawList& list, const Marker& marker, ImVec2 c, float r) {
         case Shape::square:
             list.AddRectFilled({c.x - 0.8f * r, c.y - 0.8f * r}, {c.x + 0.8f * r, c.y + 0.8f * r}, color);
             break;
-        case Shape::circle: list.AddCircleFilled(c, 0.85f * r, color, 16); break;
+        case Shape::dot: list.AddCircleFilled(c, 0.5f * r, color, 12); break;
         case Shape::diamond:
             list.AddQuadFilled({c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}, color);
             break;
@@ -207,31 +216,61 @@ void lane(ImDrawList& list, const Document& document, const TapeRun& run, const 
     }
 }
 
+struct Event {
+    std::size_t tick;
+    const Marker* marker;
+    const RunEvent* told;             // with its reason; null: only its kind is known
+    const SimulationEvent* observed;  // null if told
+};
+
+std::string event_text(const Event& event) {
+    return event.told ? event.told->text : fmt::format("{} {}", event.marker->words, event.observed->detail);
+}
+
+// Those that are told with their reasons, and of the others those that nothing of the same tick tells.
+std::vector<Event> events_of(Editor& editor) {
+    std::vector<Event> events;
+    std::vector<std::size_t> told;  // their ticks, ascending
+    if (const RunFindings* const found = findings(editor))
+        for (const RunEvent& event : found->events) {
+            told.push_back(event.first);
+            if (is_shown(editor.why, event)) events.push_back({event.first, &other_marker, &event, nullptr});
+        }
+    for (const SimulationEvent& event : editor.lab.runs()[editor.lab.explained()].run.events()) {
+        const Marker& marker = find_marker(event.kind);
+        if (&marker == &other_marker && std::ranges::binary_search(told, event.tick)) continue;
+        events.push_back({event.tick, &marker, nullptr, &event});
+    }
+    return events;
+}
+
 // The event whose marker lies at `at`; of several the nearest.
-std::optional<std::size_t> tick_of_marker_at(const TapeRun& run, const LabTrack& track, ImVec2 at) {
+std::optional<std::size_t> tick_of_marker_at(std::span<const Event> events, const LabTrack& track,
+                                             ImVec2 at) {
     if (at.y < track.min.y || at.y > track.min.y + marker_height * ui::scale()) return std::nullopt;
     float nearest = (marker_radius + 1.0f) * ui::scale();
     std::optional<std::size_t> tick;
-    for (const SimulationEvent& event : run.events()) {
+    for (const Event& event : events) {
         const float away = std::abs(track.x(static_cast<double>(event.tick)) - at.x);
-        if (away > nearest || !find_marker(event.kind)) continue;
+        if (away > nearest) continue;
         nearest = away;
         tick = event.tick;
     }
     return tick;
 }
 
-void event_tooltip(const TapeRun& run, const Lab& lab, const LabTrack& track) {
+void event_tooltip(std::span<const Event> events, const Lab& lab, const LabTrack& track) {
     const double tick = track.tick_at(ImGui::GetIO().MousePos.x);
     const double reach = std::max(1.0, 6.0 * track.ticks_per_pixel());
     std::string text =
         tick_text(lab, static_cast<std::size_t>(std::clamp(tick, 0.0, static_cast<double>(lab.ticks() - 1))));
     text[0] = 'T';
     int lines = 0;
-    for (const SimulationEvent& event : run.events()) {
+    for (const Event& event : events) {
         if (std::abs(static_cast<double>(event.tick) + 0.5 - tick) > reach || lines > 6) continue;
-        const Marker* marker = find_marker(event.kind);
-        text += fmt::format("\n{}: {} {}", event.tick, marker ? marker->words : event.kind, event.detail);
+        const auto tells_it = [&](const Event& other) { return other.told && other.tick == event.tick; };
+        if (event.observed && std::ranges::any_of(events, tells_it)) continue;
+        text += fmt::format("\n{}: {}", event.tick, event_text(event));
         ++lines;
     }
     ui::tooltip(text.c_str());
@@ -276,15 +315,15 @@ void tracks(Editor& editor) {
     ImGui::SetCursorScreenPos(min);
     ImGui::InvisibleButton("track", {std::max(1.0f, max.x - min.x), height + ruler_height * scale});
     ui::record_last_item("Track");
-    const TapeRun& explained = lab.runs()[lab.explained()].run;
+    const std::vector<Event> events = events_of(editor);
     // A press on a marker means its event, even if the pixel belongs to another tick; dragging moves the
     // cursor.
     const bool dragged = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
     lab_track_gestures(
         editor, track,
         dragged ? std::nullopt
-                : tick_of_marker_at(explained, track, ImGui::GetIO().MouseClickedPos[ImGuiMouseButton_Left]));
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) event_tooltip(explained, lab, track);
+                : tick_of_marker_at(events, track, ImGui::GetIO().MouseClickedPos[ImGuiMouseButton_Left]));
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) event_tooltip(events, lab, track);
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect({min.x, min.y - 2}, {max.x, max.y + ruler_height * scale}, true);
@@ -299,11 +338,10 @@ void tracks(Editor& editor) {
         y += (lane_height + 3) * scale;
     }
     const float r = marker_radius * scale;
-    for (const SimulationEvent& event : explained.events()) {
-        const Marker* marker = find_marker(event.kind);
+    for (const Event& event : events) {
         const float x = track.x(static_cast<double>(event.tick));
-        if (!marker || x < min.x - r || x > max.x + r) continue;
-        draw_marker(list, *marker, {x, min.y + 0.5f * marker_height * scale}, r);
+        if (x < min.x - r || x > max.x + r) continue;
+        draw_marker(list, *event.marker, {x, min.y + 0.5f * marker_height * scale}, r);
     }
     ruler(list, lab, track, max.y + scale);
     list.PopClipRect();

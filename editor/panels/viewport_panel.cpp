@@ -214,6 +214,7 @@ void viewport_panel(Editor& editor, FrameContext& frame) {
     if (!editor.document) return;
 
     if (!editor.playtest && editor.lab.frame(*editor.document, frame.seconds)) frame.animating = true;
+    follow_headline(editor);
     for (std::size_t pane = 0; pane < Panes::maximum; ++pane) {
         const Rect rect = rect_of_pane(pane);
         if (rect.empty()) continue;

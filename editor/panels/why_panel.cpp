@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 
 #include "panels/lab_track.h"
 #include "panels/property_rows.h"
@@ -119,15 +121,30 @@ void stops_list(Editor& editor, const std::vector<Stop>& stops) {
 }
 
 // What else happened; a click goes there.
-void events_list(Editor& editor) {
-    const std::vector<RunEvent>& events = editor.lab.events(*editor.document);
+void events_list(Editor& editor, const std::vector<RunEvent>& events) {
     if (events.empty()) return;
     ui::heading(fmt::format("What else happened ({})", events.size()).c_str());
+    std::map<std::string_view, std::size_t> counts;
+    for (const RunEvent& event : events)
+        ++counts[event.word];
+    {
+        const ui::Scope scope("Filter");
+        ui::Chips chips;
+        for (const auto& [word, count] : counts) {
+            const auto hidden = editor.why.hidden_words.find(word);
+            const bool shown = hidden == editor.why.hidden_words.end();
+            if (!chips.chip(sentence_case(std::string(word)).c_str(), count, shown)) continue;
+            shown ? (void)editor.why.hidden_words.emplace(word) : (void)editor.why.hidden_words.erase(hidden);
+        }
+    }
+    std::vector<RunEvent> shown;
+    std::ranges::copy_if(events, std::back_inserter(shown),
+                         [&](const RunEvent& event) { return is_shown(editor.why, event); });
     const auto clicked =
-        moments("Events", editor.lab, events, [](const RunEvent& event) { return event.text; });
+        moments("Events", editor.lab, shown, [](const RunEvent& event) { return event.text; });
     if (!clicked) return;
     editor.lab.motion = LabMotion::paused;
-    editor.lab.seek(events[*clicked].first);
+    editor.lab.seek(shown[*clicked].first);
 }
 
 // What each rule did to the velocity in this tick, as bars of one scale.
@@ -322,11 +339,13 @@ void why_panel(Editor& editor) {
         ui::muted_text("This tick is not computed yet");
         return;
     }
-    const std::vector<Stop> stops = lab.stops(document);
-    const Stop* stop = stop_at_cursor(editor);
-    headline(editor, stop);
-    stops_list(editor, stops);
-    stop = stop_at_cursor(editor);
+    if (const RunFindings* const found = findings(editor)) {
+        headline(editor, stop_at_cursor(editor));
+        stops_list(editor, found->stops);
+    } else {
+        wrapped(ui::palette().muted, "Looking for what stopped you\u2026");
+    }
+    const Stop* const stop = stop_at_cursor(editor);
     if (stop == nullptr) {
         switches(editor);
     } else if (const std::vector<Cure>* cures = cures_at_cursor(editor)) {
@@ -342,7 +361,7 @@ void why_panel(Editor& editor) {
     }
     if (ui::button("Copy story", "Put these lines on the clipboard")) run_command(editor, "lab.copy_story");
     velocity_bars(trace, document.level());
-    events_list(editor);
+    if (const RunFindings* const found = findings(editor)) events_list(editor, found->events);
 }
 
 }  // namespace slipface

@@ -158,7 +158,7 @@ struct Editor {
     std::optional<Playtest> playtest;      // walking while set
     bool began_in_view = true;             // the walk: its start was seen in the view before
     Lab lab;                               // the tape, and its runs under other settings
-    CureJob cures;                         // of the stop at the lab's cursor
+    Why why;                               // of the lab's selected run
     std::vector<StoredTape> stored_tapes;  // newest last; each returns when its level is opened
     std::optional<AwaitedRun> awaited_run;
     std::optional<StoredTape> walked_on;    // the run that the playtest goes on from, which stays as a ghost

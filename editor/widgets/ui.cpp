@@ -1,5 +1,6 @@
 #include "widgets/ui.h"
 
+#include <fmt/format.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
@@ -428,6 +429,33 @@ void flow(float width, float spacing) {
     const float gap = spacing < 0.0f ? ImGui::GetStyle().ItemSpacing.x : spacing;
     const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     if (ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0, gap);
+}
+
+Chips::Chips() : right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8 * scale(), 2 * scale()});
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameRounding, 10 * scale());
+    push_font(fonts().small);
+}
+
+Chips::~Chips() {
+    ImGui::PopFont();
+    ImGui::PopStyleVar(2);
+}
+
+bool Chips::chip(const char* name, std::size_t count, bool shown) {
+    const Palette& p = palette();
+    const std::string label = fmt::format("{}  {}###{}", name, count, name);
+    if (!std::exchange(first_, false)) {
+        ImGui::SameLine(0, 4 * scale());
+        if (ImGui::GetCursorScreenPos().x + button_width(label.c_str()) > right_) ImGui::NewLine();
+    }
+    ImGui::PushStyleColor(ImGuiCol_Button, shown ? with_alpha(p.accent, 0.20f) : p.raised);
+    ImGui::PushStyleColor(ImGuiCol_Text, shown ? p.text : p.muted);
+    const bool pressed = ImGui::Button(label.c_str());
+    ImGui::PopStyleColor(2);
+    record_last_item(name, true, shown);
+    tooltip(shown ? "Click to hide these" : "Click to show these");
+    return pressed;
 }
 
 float button_width(const char* label) {

@@ -84,6 +84,19 @@ bool menu_item(const char* label, const char* shortcut, bool checked, bool enabl
 bool begin_menu(const char* label);
 void end_menu();
 bool tab(const char* label, bool front);  // true: pressed
+// Toggles that show or hide the rows of a kind, with their number, as many per line as fit.
+class Chips {
+  public:
+    Chips();
+    ~Chips();
+    Chips(const Chips&) = delete;
+    Chips& operator=(const Chips&) = delete;
+    bool chip(const char* name, std::size_t count, bool shown);  // true: pressed
+
+  private:
+    float right_;
+    bool first_ = true;
+};
 // Positions the next item, `width` wide, beside the last one if it fits there, otherwise on a new line.
 void flow(float width, float spacing = -1.0f);
 float button_width(const char* label);

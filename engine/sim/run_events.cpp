@@ -354,11 +354,12 @@ class EventReader {
 
 }  // namespace
 
-std::vector<RunEvent> find_events(const TickScene& scene, const TapeRun& run, const StoryNames& names) {
+std::vector<RunEvent> find_events(const TickScene& scene, const TapeRun& run, const StoryNames& names,
+                                  const std::function<bool()>& cancelled) {
     EventReader reader(run, names);
     constexpr std::size_t at_once = TapeRun::keyframe_ticks;
     const std::size_t ticks = run.samples().size();
-    for (std::size_t first = 0; first < ticks; first += at_once)
+    for (std::size_t first = 0; first < ticks && !(cancelled && cancelled()); first += at_once)
         for (const TickTrace& trace : run.traces(scene, first, std::min(ticks, first + at_once) - 1))
             reader.read(trace);
     return reader.finish();

@@ -201,11 +201,12 @@ void explain_return(Stop& stop, const TickScene& scene, const TapeRun& run, What
 
 // With `level`, by trying.
 std::vector<Stop> explained(const TickScene& scene, const TapeRun& run, const StoryNames& names,
-                            const Level* level) {
+                            const Level* level, const std::function<bool()>& cancelled = {}) {
     std::vector<Stop> stops;
     std::optional<WhatHolds> holds;
     if (level != nullptr) holds.emplace(*level, run);
     for (Stretch& stretch : find_stretches(run, names)) {
+        if (cancelled && cancelled()) break;
         Stop& stop = stretch.stop;
         const MovementSettings settings = run.settings_at(stop.worst);
         const bool back = run.samples()[stop.first].respawned;
@@ -237,8 +238,9 @@ std::vector<Stop> explained(const TickScene& scene, const TapeRun& run, const St
 
 }  // namespace
 
-std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const Level& level) {
-    return explained(scene, run, level, &level);
+std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const Level& level,
+                             const std::function<bool()>& cancelled) {
+    return explained(scene, run, level, &level, cancelled);
 }
 
 std::vector<Stop> count_stops(const TickScene& scene, const TapeRun& run, const StoryNames& names) {

@@ -344,26 +344,6 @@ const std::vector<SwitchEffect>& Lab::switches(const Document& document) const {
     return *explained_tick_->switches;
 }
 
-const std::vector<Stop>& Lab::stops(const Document& document) const {
-    if (stops_revision_ == revision_ && stops_run_ == explained_) return stops_;
-    stops_.clear();
-    if (!has_tape() || !runs_[explained_].run.complete()) return stops_;
-    stops_revision_ = revision_;
-    stops_run_ = explained_;
-    stops_ = find_stops(scene(document, runs_[explained_]), runs_[explained_].run, document.level());
-    return stops_;
-}
-
-const std::vector<RunEvent>& Lab::events(const Document& document) const {
-    if (events_revision_ == revision_ && events_run_ == explained_) return events_;
-    events_.clear();
-    if (!has_tape() || !runs_[explained_].run.complete()) return events_;
-    events_revision_ = revision_;
-    events_run_ = explained_;
-    events_ = find_events(scene(document, runs_[explained_]), runs_[explained_].run, document.level());
-    return events_;
-}
-
 const std::vector<SummaryRow>& Lab::presets(const Document& document) const {
     if (!has_tape() || presets_revision_ == revision_) return presets_;
     presets_revision_ = revision_;

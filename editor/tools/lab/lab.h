@@ -11,8 +11,7 @@
 #include "document/document.h"
 #include "document/file_watch.h"
 #include "slipface/sim/compare.h"
-#include "slipface/sim/run_events.h"
-#include "slipface/sim/stops.h"
+#include "slipface/sim/story.h"
 #include "slipface/sim/summary.h"
 
 namespace slipface {
@@ -134,9 +133,6 @@ class Lab {
     const std::vector<StoryLine>& story(const Document& document) const;
     const std::vector<SwitchEffect>& switches(const Document& document) const;
     static constexpr std::size_t switch_ticks = 60;
-    // What stopped the player in the selected run; empty until the run is complete.
-    const std::vector<Stop>& stops(const Document& document) const;
-    const std::vector<RunEvent>& events(const Document& document) const;
     bool show_folded = false;             // show also the lines that every tick has
     std::optional<std::size_t> lit_line;  // of the story: the line that was clicked and is drawn in the view
 
@@ -181,12 +177,6 @@ class Lab {
     mutable const Document* scene_document_ = nullptr;
     mutable std::uint64_t scene_state_ = 0;
     mutable std::optional<ExplainedTick> explained_tick_;
-    mutable std::vector<Stop> stops_;
-    mutable std::uint64_t stops_revision_ = 0;
-    mutable std::size_t stops_run_ = 0;
-    mutable std::vector<RunEvent> events_;
-    mutable std::uint64_t events_revision_ = 0;
-    mutable std::size_t events_run_ = 0;
     mutable std::vector<SummaryRow> presets_;
     mutable std::uint64_t presets_revision_ = 0;
     mutable std::vector<RateRow> rates_;

@@ -1,14 +1,56 @@
 #include "tools/lab/why.h"
 
+#include "slipface/level/level_scene.h"
 #include "slipface/repair/repairs.h"
 #include "tools/editor.h"
 #include "tools/lab/lab_actions.h"
 
 namespace slipface {
 
+namespace {
+
+// `begin` makes the work, which must own all that it uses.
+template <class T, class Begin>
+const T* seek(const Editor& editor, Search<T>& search, const typename Search<T>::Key& key,
+              std::optional<MessageDialog>& message, const Begin& begin) {
+    if (!search.work || !(search.key == key)) {
+        search.work.reset();
+        search = Search<T>{.key = key};
+        search.work = std::make_unique<Background<Result<T>>>(begin(), editor.session.wake);
+    }
+    if (search.found) return &*search.found;
+    if (editor.session.beside && !search.work->ready()) return nullptr;
+    Result<T> found = search.work->take();
+    if (!found) message = MessageDialog{"Cannot examine the run", found.error().text(), {}};
+    search.found = found ? std::move(*found) : T{};
+    return &*search.found;
+}
+
+}  // namespace
+
+bool is_shown(const Why& why, const RunEvent& event) {
+    return !why.hidden_words.contains(event.word);
+}
+
+const RunFindings* findings(Editor& editor) {
+    const Lab& lab = editor.lab;
+    if (!editor.document || !lab.has_tape() || !lab.runs()[lab.explained()].run.complete()) return nullptr;
+    return seek(editor, editor.why.findings, {lab.revision(), lab.explained()}, editor.message, [&] {
+        return [level = editor.document->snapshot(),
+                run = lab.runs()[lab.explained()].run](Progress& progress) -> Result<RunFindings> {
+            const auto cancelled = [&] { return progress.cancelled(); };
+            Result<LevelScene> scene = LevelScene::build(level, run.settings());
+            if (!scene) return scene.error();
+            return RunFindings{find_stops(*scene, run, level, cancelled),
+                               find_events(*scene, run, level, cancelled)};
+        };
+    });
+}
+
 const Stop* stop_at_cursor(Editor& editor) {
-    if (!editor.document || !editor.lab.has_tape()) return nullptr;
-    for (const Stop& stop : editor.lab.stops(*editor.document))
+    const RunFindings* const found = findings(editor);
+    if (found == nullptr) return nullptr;
+    for (const Stop& stop : found->stops)
         if (editor.lab.cursor() >= stop.first && editor.lab.cursor() <= stop.last) return &stop;
     return nullptr;
 }
@@ -16,30 +58,14 @@ const Stop* stop_at_cursor(Editor& editor) {
 const std::vector<Cure>* cures_at_cursor(Editor& editor) {
     const Stop* stop = stop_at_cursor(editor);
     if (stop == nullptr) return nullptr;
-    CureJob& job = editor.cures;
     const Lab& lab = editor.lab;
-    const bool same =
-        job.work && job.revision == lab.revision() && job.run == lab.explained() && job.first == stop->first;
-    if (!same) {
-        job.work.reset();
-        job = CureJob{.revision = lab.revision(), .run = lab.explained(), .first = stop->first};
-        auto search = [level = editor.document->snapshot(), run = lab.runs()[lab.explained()].run,
-                       at = *stop](Progress& progress) -> Result<std::vector<Cure>> {
-            return find_cures_and_repairs(level, run, at, [&] { return progress.cancelled(); });
-        };
-        job.work =
-            std::make_unique<Background<Result<std::vector<Cure>>>>(std::move(search), editor.session.wake);
-    }
-    if (!job.taken) {
-        if (editor.session.beside && !job.work->ready()) return nullptr;
-        Result<std::vector<Cure>> cures = job.work->take();
-        job.taken = true;
-        if (cures)
-            job.cures = std::move(*cures);
-        else
-            editor.message = MessageDialog{"Cannot look for cures", cures.error().text(), {}};
-    }
-    return &job.cures;
+    return seek(editor, editor.why.cures, {lab.revision(), lab.explained(), stop->first}, editor.message,
+                [&] {
+                    return [level = editor.document->snapshot(), run = lab.runs()[lab.explained()].run,
+                            at = *stop](Progress& progress) -> Result<std::vector<Cure>> {
+                        return find_cures_and_repairs(level, run, at, [&] { return progress.cancelled(); });
+                    };
+                });
 }
 
 void go_to_stop(Editor& editor, const Stop& stop) {
@@ -51,9 +77,19 @@ void go_to_stop(Editor& editor, const Stop& stop) {
 }
 
 void go_to_headline(Editor& editor) {
-    Lab& lab = editor.lab;
-    const Stop* headline = headline_stop(lab.stops(*editor.document));
-    lab.seek(headline ? headline->worst : lab.ticks());
+    editor.lab.seek(editor.lab.ticks());
+    editor.why.headline_from = editor.lab.cursor();
+    follow_headline(editor);
+}
+
+void follow_headline(Editor& editor) {
+    if (!editor.why.headline_from) return;
+    if (!editor.lab.has_tape() || editor.lab.cursor() != *editor.why.headline_from)
+        return editor.why.headline_from.reset();
+    const RunFindings* const found = findings(editor);
+    if (found == nullptr) return;
+    editor.why.headline_from.reset();
+    if (const Stop* headline = headline_stop(found->stops)) editor.lab.seek(headline->worst);
 }
 
 void use_cure(Editor& editor, const Cure& cure) {

@@ -1,34 +1,61 @@
-// What stopped the player in the lab's run, and what would cure it: the data of the Why panel.
+// What stopped the player in the lab's run, what else happened, and what would cure it: the data of the Why
+// panel.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "document/background.h"
 #include "slipface/sim/cures.h"
+#include "slipface/sim/run_events.h"
 
 namespace slipface {
 
 struct Editor;
 
-// The cures of one stop, searched for in a background thread.
-struct CureJob {
-    std::uint64_t revision = 0;      // of the lab
-    std::size_t run = 0, first = 0;  // the stop's first tick
-    std::unique_ptr<Background<Result<std::vector<Cure>>>> work = {};
-    bool taken = false;  // `cures` is valid
-    std::vector<Cure> cures = {};
+// What a background thread searches for; begun anew where the key is another.
+template <class T>
+struct Search {
+    struct Key {
+        std::uint64_t revision = 0;  // of the lab
+        std::size_t run = 0, first = 0;
+        bool operator==(const Key&) const = default;
+    } key = {};
+    std::unique_ptr<Background<Result<T>>> work = {};
+    std::optional<T> found = {};
 };
 
-// The stop at the lab's cursor; null: none.
+struct RunFindings {
+    std::vector<Stop> stops;
+    std::vector<RunEvent> events;
+};
+
+struct Why {
+    std::set<std::string, std::less<>> hidden_words = {};  // of events that are not shown
+    Search<RunFindings> findings;                          // of the selected run
+    Search<std::vector<Cure>> cures;                       // of one of its stops
+    std::optional<std::size_t>
+        headline_from;  // the cursor's tick, from which it goes to the headline once it is found
+};
+
+bool is_shown(const Why& why, const RunEvent& event);
+
+// What happened in the selected run. Null: it is not complete yet, or the search, which this starts, is
+// running.
+const RunFindings* findings(Editor& editor);
+// The stop at the lab's cursor; null: none is known.
 const Stop* stop_at_cursor(Editor& editor);
 // Its cures. Null while the search, which this starts, is running.
 const std::vector<Cure>* cures_at_cursor(Editor& editor);
 // Moves the cursor to the stop's worst tick and the camera to its position.
 void go_to_stop(Editor& editor, const Stop& stop);
-// Moves the cursor to the run's headline, or to its end if nothing stopped the player. Used after a playtest.
+// Moves the cursor to the run's headline once that is found, or to its end if nothing stopped the player,
+// unless the user moves it before. Used after a playtest; follow_headline() once per frame.
 void go_to_headline(Editor& editor);
+void follow_headline(Editor& editor);
 // Applies the cure as one step of history and selects the run under the present settings. A repair of the
 // geometry is only shown, because the editor does not change meshes.
 void use_cure(Editor& editor, const Cure& cure);

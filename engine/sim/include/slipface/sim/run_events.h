@@ -2,6 +2,8 @@
 // that did nothing. The list under the stops in the Why panel, and `slipface why --events`.
 #pragma once
 
+#include <functional>
+
 #include "slipface/sim/story.h"
 
 namespace slipface {
@@ -16,7 +18,8 @@ struct RunEvent {
 };
 
 // In the order of their first ticks. Simulates the run once more, with traces.
-std::vector<RunEvent> find_events(const TickScene& scene, const TapeRun& run, const StoryNames& names);
+std::vector<RunEvent> find_events(const TickScene& scene, const TapeRun& run, const StoryNames& names,
+                                  const std::function<bool()>& cancelled = {});
 
 // One line each: "at 1.25 s  bounced  Bounced off at 9.4 m/s".
 std::string events_text(std::span<const RunEvent> events, double dt);

@@ -2,6 +2,8 @@
 // the Why panel and of `slipface why`.
 #pragma once
 
+#include <functional>
+
 #include "slipface/sim/story.h"
 
 namespace slipface {
@@ -80,9 +82,11 @@ struct Stop {
 //
 // What held the player is found by trying: the run is played again without what was met, until the player
 // gets on, and what may stay is put back. Where several things hold it, each alone, the headline names the
-// one that is out of the settings' bounds.
+// one that is out of the settings' bounds. Between two stops it asks `cancelled`, if given, and then ends
+// early.
 inline constexpr double least_stop_s = 0.05;
-std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const Level& level);
+std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const Level& level,
+                             const std::function<bool()>& cancelled = {});
 
 // The same from the traces alone, without trying: for counting.
 std::vector<Stop> count_stops(const TickScene& scene, const TapeRun& run, const StoryNames& names);
