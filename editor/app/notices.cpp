@@ -5,6 +5,7 @@
 #include "app/dialog_parts.h"
 #include "app/parts.h"
 #include "document/path_text.h"
+#include "slipface/base/counted.h"
 #include "tools/commands/commands.h"
 #include "widgets/theme.h"
 #include "widgets/ui.h"
@@ -13,6 +14,7 @@ namespace slipface {
 namespace {
 
 struct Notice {
+    const char* name;  // of its widget
     std::string text;
     std::vector<const char*> commands;  // ids: its buttons
 };
@@ -21,15 +23,23 @@ std::vector<Notice> notices_of(const Parts& parts) {
     const Session& session = parts.editor.session;
     std::vector<Notice> notices;
     if (session.changed) {
-        Notice notice{session.changed->question, {"file.keep_mine", "file.merge_by_face"}};
+        Notice notice{"Changed", session.changed->question, {"file.keep_mine", "file.merge_by_face"}};
         if (session.changed->level_file)
             notice.commands.insert(notice.commands.begin() + 1, "file.take_theirs");
         notices.push_back(std::move(notice));
     }
     if (const Status& stored = session.autosave.problem(); !stored)
-        notices.push_back({"Unsaved changes cannot be autosaved: " +
+        notices.push_back({"Autosave",
+                           "Unsaved changes cannot be autosaved: " +
                                shown_text(parts, stored.error().text()) + ". Trying again; saving is safe",
                            {}});
+    const Document* const document = parts.editor.document.get();
+    const std::size_t differ = document ? document->second_reading().faces.size() : 0;
+    if (differ > 0)
+        notices.push_back({"Readings",
+                           "The changed geometry fits two readings of the paint, which differ in " +
+                               counted(differ, "face") + ". The likelier one is shown",
+                           {"select.two_readings", "select.take_reading", "select.keep_reading"}});
     return notices;
 }
 
@@ -66,9 +76,8 @@ void notices(Parts& parts) {
         ui::ellipsis({at.x + padding, text_y}, at.x + right - padding, p.accent, "\uf071");
         ui::ellipsis({at.x + padding + 24 * scale, text_y}, at.x + right - padding, p.text, text);
         ImGui::SetCursorPos({padding, y});
-        ImGui::InvisibleButton(notice.commands.empty() ? "autosave" : "changed",
-                               {std::max(1.0f, right - 2 * padding), row_height()});
-        ui::record_last_item(notice.commands.empty() ? "Autosave" : "Changed");
+        ImGui::InvisibleButton(notice.name, {std::max(1.0f, right - 2 * padding), row_height()});
+        ui::record_last_item(notice.name);
         ui::tooltip(text.c_str());
         y += row_height();
     }

@@ -7,6 +7,7 @@
 
 #include "cli/format.h"
 #include "cli/verbs.h"
+#include "slipface/base/counted.h"
 #include "slipface/base/named_file.h"
 #include "slipface/image/image.h"
 #include "slipface/level/find_start.h"
@@ -156,6 +157,8 @@ void print_info_json(const LevelInfo& info, std::ostream& out) {
         json["triangles_per_type"][level.surfaces[i].name] = info.triangles_of_type[i];
     json["objects"] = objects_json(mesh);
     json["painted_faces"] = painted_count(level);
+    json["guessed_faces"] = level.guessed.size();
+    json["faces_of_two_readings"] = info.loaded.second.faces.size();
     json["orphans"] = level.orphans.size();
     json["bounds"] = {{"min", vector_json(mesh.bounds.min)}, {"max", vector_json(mesh.bounds.max)}};
     json["spawns"] = OutputJson::array();
@@ -264,6 +267,11 @@ void print_info_text(const LevelInfo& info, std::ostream& out) {
               fmt::format("{}, {}, {:.1f} bytes per triangle", duration_text(info.bvh_s),
                           bytes_text(info.bvh.bytes), bytes_a_triangle(info)));
     print_row(out, "painted faces", fmt::format("{} ({})", painted_count(level), info.loaded.match.text()));
+    if (const std::size_t differ = info.loaded.second.faces.size(); differ > 0)
+        print_row(out, "",
+                  fmt::format("the geometry fits two readings of the paint, which differ in {}; open the "
+                              "level in the editor to choose",
+                              counted(differ, "face")));
     out << "\nfaces per type\n";
     for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
         out << fmt::format("  {:<14}{:>9}\n", level.surfaces[i].name, info.faces_of_type[i]);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 #include <functional>
+#include <map>
 #include <utility>
 
 #include "document/faces.h"
@@ -59,6 +60,7 @@ Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& pa
         document->level_ = std::move(loaded->level);
         document->warnings_ = std::move(loaded->warnings);
         document->match_ = loaded->match;
+        document->second_ = std::move(loaded->second);
         document->base_ = std::move(*base);
         document->level_.overrides.resize(
             std::max(document->level_.overrides.size(), own_mesh(document->level_)->face_count()));
@@ -291,6 +293,28 @@ void Document::accept_guessed(std::span<const FaceId> faces) {
     change(GuessedEdit{level_.guessed, std::move(left)}, "Accept guessed paint");
 }
 
+const SecondReading& Document::second_reading() const {
+    static const SecondReading none;
+    if (second_.empty() || level_.guessed.empty()) return none;
+    if (second_known_ != revision_) {
+        const auto is_guessed = [&](FaceId face) { return std::ranges::binary_search(level_.guessed, face); };
+        second_is_open_ = std::ranges::any_of(second_.faces, is_guessed);
+        second_known_ = revision_;
+    }
+    return second_is_open_ ? second_ : none;
+}
+
+void Document::take_second_reading() {
+    const SecondReading second = second_reading();
+    Transaction transaction(*this, "Take the other reading of the paint");
+    std::map<std::optional<SurfaceId>, std::vector<FaceId>> faces;
+    for (std::size_t i = 0; i < second.faces.size(); ++i)
+        faces[second.types[i]].push_back(second.faces[i]);
+    for (const auto& [type, list] : faces)
+        paint(list, type);
+    transaction.commit();
+}
+
 namespace {
 
 template <class T>
@@ -370,6 +394,7 @@ void Document::apply(const Edit& edit, bool forward, Touched& touched) {
             self.level_.selections = geometry.saved_selections;
             self.warnings_ = geometry.warnings;
             self.match_ = geometry.match;
+            self.second_ = geometry.second;
             self.level_.guessed = geometry.guessed;
             touched.geometry = touched.types = true;
         }

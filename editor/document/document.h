@@ -65,6 +65,7 @@ struct Geometry {
     std::vector<FaceId> guessed;
     Warnings warnings;
     MatchSummary match;
+    SecondReading second;
     PlacedProps placed;
     friend bool operator==(const Geometry& a, const Geometry& b) { return a.mesh == b.mesh; }
 };
@@ -152,6 +153,10 @@ class Document {
     const MatchSummary& match() const { return match_; }
     std::span<const FaceId> guessed() const { return level_.guessed; }  // Level::guessed, ascending
     void accept_guessed(std::span<const FaceId> faces);                 // they leave guessed()
+    // Another reading of the paint that fits as well; empty once all of its painted faces are accepted or
+    // painted. take_second_reading() paints it, as one step that also accepts it.
+    const SecondReading& second_reading() const;
+    void take_second_reading();
     MovementScene scene() const { return {collision_, level_.surfaces}; }
     std::span<const FaceId> selection() const { return selection_; }  // ascending
     std::span<const FaceId> hidden() const { return level_.hidden; }  // ascending; neither drawn nor picked
@@ -352,6 +357,9 @@ class Document {
     mutable const void* prop_part_of_ = nullptr;    // LevelMesh::id()
     Warnings warnings_, prop_warnings_;
     MatchSummary match_;
+    SecondReading second_;
+    mutable bool second_is_open_ = false;  // in the revision `second_known_`
+    mutable std::optional<std::uint64_t> second_known_;
     std::vector<FaceId> selection_;
     std::vector<std::uint8_t> hidden_flags_;  // [face]; of level_.hidden
     std::vector<HistoryStep> history_;

@@ -110,6 +110,7 @@ Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
                     level_.guessed,
                     warnings_,
                     match_,
+                    second_,
                     level_.placed};
     const bool stays = annotations_stay(loaded);
     // A selection is temporary: it stays only if the mesh is the same, and is never guessed.
@@ -129,6 +130,7 @@ Status Document::take_geometry(LoadedLevel loaded, std::string step_name) {
                    std::move(loaded.level.guessed),
                    std::move(loaded.warnings),
                    loaded.match,
+                   std::move(loaded.second),
                    std::move(loaded.level.placed)};
     perform(std::move(step_name), GeometryEdit{std::move(before), std::move(after)});
     history_.back().keeps_file = stays;

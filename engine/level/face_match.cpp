@@ -86,21 +86,40 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
         result.overrides.resize(mesh.face_count());
         return result;
     }
-    const FollowedFaces followed = follow_faces(mesh, surfaces, stored, parts);
-    const bool all_followed = followed.are_all(parts.of.size());
-    if (all_followed && stored.size() == parts.of.size()) return found_without_search(followed);
-    FaceLookup lookup(mesh, surfaces);
-    const auto match = [&](const std::vector<StoredOverride>& faces, const PaintParts& of,
-                           const std::vector<PartMotion>& motions) {
-        FaceMatcher matcher(mesh, surfaces, faces, lookup, of, motions);
-        matcher.take(followed);
+    const FollowedReadings followed = follow_faces(mesh, surfaces, stored, parts);
+    const auto all_followed = [&](const FollowedFaces& faces) { return faces.are_all(parts.of.size()); };
+    std::optional<FaceLookup> lookup;
+    PartMotions motions;
+    std::vector<StoredOverride> with_unpainted_faces;
+    std::optional<PaintParts> parts_of_all;
+    const bool all_known =
+        all_followed(followed.first) && (!followed.second || all_followed(*followed.second));
+    if (!all_known || stored.size() != parts.of.size()) lookup.emplace(mesh, surfaces);
+    if (!all_known && !parts.parts.empty()) {
+        motions = find_motions(*lookup, surfaces, parts, stored);
+        with_unpainted_faces = stored;
+        if (!parts.unpainted.keys.empty()) parts_of_all = with_unpainted(parts, with_unpainted_faces);
+    }
+    const std::vector<PartMotion> staying;
+    const auto read = [&](const FollowedFaces& faces, const std::vector<PartMotion>& moved) {
+        const bool all_found = all_followed(faces);
+        if (all_found && stored.size() == parts.of.size()) return found_without_search(faces);
+        const bool all = parts_of_all && !all_found;
+        FaceMatcher matcher(mesh, surfaces, all ? with_unpainted_faces : stored, *lookup,
+                            all ? *parts_of_all : parts, all_found ? staying : moved);
+        matcher.take(faces);
         return std::move(matcher).run();
     };
-    if (parts.parts.empty() || all_followed) return match(stored, parts, {});
-    const std::vector<PartMotion> motions = find_motions(lookup, surfaces, parts, stored);
-    if (parts.unpainted.keys.empty()) return match(stored, parts, motions);
-    std::vector<StoredOverride> all = stored;
-    return match(all, with_unpainted(parts, all), motions);
+    MatchedOverrides result = read(followed.first, motions.first);
+    if (!followed.second && motions.second.empty()) return result;
+    const MatchedOverrides second = read(followed.second ? *followed.second : followed.first,
+                                         motions.second.empty() ? motions.first : motions.second);
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        if (result.overrides[face] == second.overrides[face]) continue;
+        result.second.faces.push_back(face);
+        result.second.types.push_back(second.overrides[face]);
+    }
+    return result;
 }
 
 FaceKeySets stored_face_keys(const Level& level) {

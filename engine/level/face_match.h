@@ -39,6 +39,7 @@ struct MatchedOverrides {
     std::vector<FaceId>
         guessed;  // found by plane or nearest, or with doubts about their part; or guesses before; ascending
     MatchSummary summary;
+    SecondReading second;
     Warnings warnings;
 };
 

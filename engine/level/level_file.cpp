@@ -234,6 +234,7 @@ Result<LoadedLevel> reload_mesh(const Level& level, Progress* progress, const st
         loaded.level.overrides = std::move(matched.overrides);
         loaded.level.orphans = std::move(matched.orphans);
         loaded.match = matched.summary;
+        loaded.second = std::move(matched.second);
         loaded.level.guessed = std::move(matched.guessed);
         for (Diagnostic& warning : matched.warnings) {
             if (warning.location.empty()) warning.location = level.mesh_path.string();

@@ -9,10 +9,9 @@
 
 namespace slipface {
 
-FollowedFaces follow_faces(const Mesh& mesh, SurfaceTable surfaces, std::span<const StoredOverride> stored,
-                           const PaintParts& parts) {
-    FollowedFaces followed;
-    if (parts.tokens.empty()) return followed;
+FollowedReadings follow_faces(const Mesh& mesh, SurfaceTable surfaces, std::span<const StoredOverride> stored,
+                              const PaintParts& parts) {
+    if (parts.tokens.empty()) return {};
     const MeshTokens now = mesh_tokens(mesh, surfaces);
     const Correspondence known = correspond(parts.tokens, now);
     const std::size_t painted = std::min(parts.token.size(), stored.size());
@@ -27,30 +26,37 @@ FollowedFaces follow_faces(const Mesh& mesh, SurfaceTable surfaces, std::span<co
         const std::uint32_t i = token == no_id ? no_id : stored_at[token];
         return i == no_id ? std::optional<SurfaceId>() : types[i];
     };
-    followed.face.resize(mesh.face_count(), false);
-    followed.moved.resize(mesh.face_count(), false);
-    followed.types.resize(mesh.face_count());
-    followed.painted.resize(painted, false);
-    std::vector<bool> found(parts.tokens.faces.size(), false);  // [old token]
-    for (std::uint32_t token = 0; token < now.faces.size(); ++token) {
-        const std::uint32_t before = known.before[token];
-        if (before == no_id) continue;
-        const std::uint32_t i = stored_at[before];
-        if (i != no_id && !types[i]) continue;  // an orphan for want of its type
-        const FaceId face = now.face[token];
-        found[before] = followed.face[face] = true;
-        followed.moved[face] = known.moved[token];
-        followed.types[face] = type_at(before);
-        if (i == no_id) continue;
-        followed.painted[i] = true;
-        if ((i < parts.guessed.size() && parts.guessed[i]) ||
-            followed.types[face] != type_at(known.rival[token]))
-            followed.guessed.push_back(face);
-    }
-    for (const std::uint32_t token : parts.unpainted.token)
-        followed.unpainted.push_back(found[token]);
-    std::sort(followed.guessed.begin(), followed.guessed.end());
-    return followed;
+    const auto read = [&](const std::vector<std::uint32_t>& befores,
+                          const std::vector<std::uint32_t>& rivals) {
+        FollowedFaces followed;
+        followed.face.resize(mesh.face_count(), false);
+        followed.moved.resize(mesh.face_count(), false);
+        followed.types.resize(mesh.face_count());
+        followed.painted.resize(painted, false);
+        std::vector<bool> found(parts.tokens.faces.size(), false);  // [old token]
+        for (std::uint32_t token = 0; token < now.faces.size(); ++token) {
+            const std::uint32_t before = befores[token];
+            if (before == no_id) continue;
+            const std::uint32_t i = stored_at[before];
+            if (i != no_id && !types[i]) continue;  // an orphan for want of its type
+            const FaceId face = now.face[token];
+            found[before] = followed.face[face] = true;
+            followed.moved[face] = known.moved[token];
+            followed.types[face] = type_at(before);
+            if (i == no_id) continue;
+            followed.painted[i] = true;
+            if ((i < parts.guessed.size() && parts.guessed[i]) ||
+                followed.types[face] != type_at(rivals[token]))
+                followed.guessed.push_back(face);
+        }
+        for (const std::uint32_t token : parts.unpainted.token)
+            followed.unpainted.push_back(found[token]);
+        std::sort(followed.guessed.begin(), followed.guessed.end());
+        return followed;
+    };
+    FollowedReadings readings{read(known.before, known.rival), {}};
+    if (known.rival != known.before) readings.second = read(known.rival, known.before);
+    return readings;
 }
 
 bool FollowedFaces::are_all(std::size_t painted_faces) const {

@@ -20,8 +20,13 @@ struct FollowedFaces {
     bool are_all(std::size_t painted_faces) const;
 };
 
+struct FollowedReadings {
+    FollowedFaces first;
+    std::optional<FollowedFaces> second;  // if names and order can be read in two ways
+};
+
 // None in a level file without tokens. `stored`: the painted faces of `parts`, and others after them.
-FollowedFaces follow_faces(const Mesh& mesh, SurfaceTable surfaces, std::span<const StoredOverride> stored,
-                           const PaintParts& parts);
+FollowedReadings follow_faces(const Mesh& mesh, SurfaceTable surfaces, std::span<const StoredOverride> stored,
+                              const PaintParts& parts);
 
 }  // namespace slipface

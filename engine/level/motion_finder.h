@@ -27,7 +27,7 @@ class MotionFinder {
     MotionFinder(FaceLookup& lookup, SurfaceTable surfaces, const PaintParts& parts,
                  const std::vector<StoredOverride>& stored);
 
-    std::vector<PartMotion> run() &&;
+    PartMotions run() &&;
 
   private:
     struct Rated {
@@ -36,6 +36,7 @@ class MotionFinder {
     };
     struct Part {
         PartMotion best;
+        std::optional<PartMotion> rival;  // explains as much as `best`, which is guessed
         MotionSupport best_support, staying;
         double best_rating = 0.0;
         bool searched = false;
@@ -89,7 +90,7 @@ class MotionFinder {
     bool keeps_order();
     bool turns_in_place(std::size_t part, const PartMotion& motion) const;
     std::vector<PartMotion> rank_motions(std::size_t part);
-    bool may_have_turned();
+    std::optional<PartMotion> motion_of_symmetric_level();
 
     // part_vote.cpp: the parts together
     void vote();

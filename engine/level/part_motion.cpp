@@ -6,8 +6,8 @@
 
 namespace slipface {
 
-std::vector<PartMotion> find_motions(FaceLookup& lookup, SurfaceTable surfaces, const PaintParts& parts,
-                                     const std::vector<StoredOverride>& stored) {
+PartMotions find_motions(FaceLookup& lookup, SurfaceTable surfaces, const PaintParts& parts,
+                         const std::vector<StoredOverride>& stored) {
     return MotionFinder(lookup, surfaces, parts, stored).run();
 }
 

@@ -97,10 +97,15 @@ struct PartMotion {
     Vec3 operator()(const Vec3& position) const { return linear * position + offset; }
 };
 
+struct PartMotions {
+    std::vector<PartMotion> first;   // [part]
+    std::vector<PartMotion> second;  // of another reading that explains the mesh as well; none: there is none
+};
+
 // [part] the motion that puts the most anchors and painted faces (`stored`) onto the mesh's. A part stays
 // where it is unless another motion explains clearly more. The work is bounded.
-std::vector<PartMotion> find_motions(FaceLookup& lookup, SurfaceTable surfaces, const PaintParts& parts,
-                                     const std::vector<StoredOverride>& stored);
+PartMotions find_motions(FaceLookup& lookup, SurfaceTable surfaces, const PaintParts& parts,
+                         const std::vector<StoredOverride>& stored);
 
 // `key` after the motion. The loop hash, which cannot be moved, becomes 0.
 FaceKey moved_key(const FaceKey& key, const PartMotion& motion);

@@ -57,6 +57,7 @@ void MotionFinder::try_order(std::size_t i) {
             continue;
         part.best = motion;
         part.best.guessed = unclear;
+        if (unclear) part.rival = PartMotion{};
         if (!in_order) --out_of_order_;
         return;
     }
@@ -70,33 +71,34 @@ void MotionFinder::trust_order() {
         if (!part.best.guessed || part.certain) continue;
         const bool few = stored_.parts[i].anchors.size() < few_anchors;
         if (out_of_order_ == 0 && !(few && in_order_ == 0)) continue;
-        part.turned = part.best;
+        part.turned = part.rival = part.best;
         part.best = PartMotion{};
     }
 }
 
 // A symmetric level that a tool turned or mirrored, and whose faces and vertices it sorted, looks as if it
-// had stayed. True if types would then be others.
-bool MotionFinder::may_have_turned() {
+// had stayed. How it did, if types would then be others.
+std::optional<PartMotion> MotionFinder::motion_of_symmetric_level() {
     double faces = 0.0, vertices = 0.0, all = 0.0;  // of the anchors: in their order
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         if (support_.points(i).empty()) continue;
         if (!parts_[i].best.is_identity() || parts_[i].certain || parts_[i].staying.sum() < 2.0 - 1e-9)
-            return false;
+            return std::nullopt;
         const auto anchors = static_cast<double>(stored_.parts[i].anchors.size());
         faces += support_.order_kept(i, PartMotion{}) * anchors;
         vertices += support_.vertex_order_kept(i, PartMotion{}).value_or(0.0) * anchors;
         all += anchors;
     }
-    if (faces > in_place * all || vertices > vertices_in_order * all) return false;
+    if (faces > in_place * all || vertices > vertices_in_order * all) return std::nullopt;
     const std::vector<PartMotion> motions = box_motions(stored_.bounds, stored_.bounds);
-    return std::any_of(motions.begin(), motions.end(), [&](const PartMotion& motion) {
+    const auto found = std::find_if(motions.begin(), motions.end(), [&](const PartMotion& motion) {
         if (motion.is_identity() || !is_rigid(motion)) return false;
         for (std::size_t i = 0; i < parts_.size(); ++i)
             if (!support_.points(i).empty() && support_.support(i, motion, 1.0 - 1e-9).sum() < 2.0 - 1e-9)
                 return false;
         return types_.all_differ(PartMotion{}, motion);
     });
+    return found == motions.end() ? std::nullopt : std::optional(*found);
 }
 
 std::vector<PartMotion> MotionFinder::rank_motions(std::size_t i) {

@@ -39,7 +39,7 @@ MotionFinder::MotionFinder(FaceLookup& lookup, SurfaceTable surfaces, const Pain
         if (part > 0 && part <= painted_.size()) ++painted_[part - 1u];
 }
 
-std::vector<PartMotion> MotionFinder::run() && {
+PartMotions MotionFinder::run() && {
     std::size_t painted = 0, gone = 0;
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         parts_[part].staying = support_.support(part, PartMotion{}, 0.0);
@@ -69,12 +69,12 @@ std::vector<PartMotion> MotionFinder::run() && {
     follow_level();
     collect_moves();
     one_part_each_place();
-    const bool symmetric = may_have_turned();
-    std::vector<PartMotion> motions;
+    const std::optional<PartMotion> symmetric = motion_of_symmetric_level();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         doubt(part);
         PartMotion& best = parts_[part].best;
         best.guessed = best.guessed || symmetric;
+        if (symmetric) parts_[part].rival = symmetric;
         best.rest = support_.rest(part, best);
         if (!best.is_identity() && support_.is_another_object(part, best)) {
             best = PartMotion{.guessed = true};
@@ -84,8 +84,18 @@ std::vector<PartMotion> MotionFinder::run() && {
         if (is_unexplained(part)) (lies_as_before(part) ? best.guessed : best.lost) = true;
     }
     find_flipped();
+    PartMotions motions;
     for (const Part& part : parts_)
-        motions.push_back(part.best);
+        motions.first.push_back(part.best);
+    const auto is_asked = [](const Part& part) { return part.best.guessed && !part.best.lost && part.rival; };
+    for (std::size_t i = 0; i < parts_.size() && std::ranges::any_of(parts_, is_asked); ++i) {
+        motions.second.push_back(parts_[i].best);
+        if (!is_asked(parts_[i])) continue;
+        PartMotion& second = motions.second.back() = *parts_[i].rival;
+        second.guessed = true;
+        second.rest = support_.rest(i, second);
+        second.flipped = parts_[i].best.flipped;
+    }
     return motions;
 }
 

@@ -159,12 +159,16 @@ void MotionFinder::exchange(std::size_t i) {
         if (found.sum() < part.staying.sum() - 1e-9) continue;
         const double moved = order(i, motion);
         if (!has_order_ && moved < both_orders && !move.of_all) {
-            part.best.guessed = part.best.guessed || types_.differ(i, PartMotion{}, motion);
+            if (types_.differ(i, PartMotion{}, motion)) {
+                part.best.guessed = true;
+                part.rival = motion;
+            }
             continue;
         }
         if (moved <= staying && !move.of_all) continue;
         part.best = motion;
         part.best.guessed = types_.differ(i, PartMotion{}, motion);
+        part.rival = PartMotion{};
         part.best_support = found;
         part.voted = true;
         return;
@@ -196,11 +200,13 @@ void MotionFinder::doubt(std::size_t i) {
     const bool few = !stays && stored_.parts[i].anchors.size() < few_anchors;
     const double best_ranks = ranks(i, part.best);
     const Aabb& box = stored_.parts[i].box;
-    const bool unclear = std::any_of(part.others.begin(), part.others.end(), [&](const Rated& other) {
+    const auto other = std::find_if(part.others.begin(), part.others.end(), [&](const Rated& other) {
         return other.sum >= part.best_support.sum() - as_much &&
                (few || other.ranks >= best_ranks - same_order) && !same(box, other.motion, part.best) &&
                types_.differ(i, part.best, other.motion);
     });
+    const bool unclear = other != part.others.end();
+    if (unclear) part.rival = other->motion;
     // A few faces of which some were deleted also look like a whole piece elsewhere. What only they did is a
     // question if the motion of others explains some of them, too.
     const bool alone =

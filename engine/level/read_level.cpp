@@ -350,6 +350,7 @@ class LevelReader {
         level_.overrides = std::move(matched.overrides);
         level_.orphans = std::move(matched.orphans);
         loaded_.match = matched.summary;
+        loaded_.second = std::move(matched.second);
         level_.guessed = std::move(matched.guessed);
         for (Diagnostic& warning : matched.warnings) {
             if (warning.location.empty()) warning.location = level_.file_path.string();

@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/level_fixture.h"
+#include "editor/app_fixture.h"
+#include "tools/commands/commands.h"
 
 namespace slipface {
 namespace {
@@ -62,6 +63,58 @@ TEST_F(Reload, FindsPaintedFacesAgainAsOneStep) {
     EXPECT_EQ(document->face_count_of(ice), 0u);
     document->go_to(document->history().size());
     EXPECT_EQ(document->surface_of(face_count - 1), ice);
+}
+
+// A row of tiles from `first` on, each with corners of its own.
+std::string tiles(int first, int count) {
+    std::ostringstream text;
+    for (int i = first; i < first + count; ++i)
+        text << "v " << i << " 0 0\nv " << i << " 0 1\nv " << i + 1 << " 0 1\nv " << i + 1 << " 0 0\n";
+    for (int i = 0; i < count; ++i)
+        text << "f " << 4 * i + 1 << " " << 4 * i + 2 << " " << 4 * i + 3 << " " << 4 * i + 4 << "\n";
+    return text.str();
+}
+
+class TwoReadings : public AppFixture {};
+
+// The first tile was deleted and one appended, or all moved by one.
+TEST_F(TwoReadings, AreAskedAboutOnce) {
+    write_text(obj, tiles(0, 12));
+    open_level(editor(), obj);
+    editor().import_card.shown = false;
+    Document& document = *editor().document;
+    document.paint(std::vector<FaceId>{3, 4, 8}, ice);
+    ASSERT_TRUE(document.save());
+    write_text(obj, tiles(1, 12));
+    reload_geometry(editor());
+    host->frame();
+    host->frame();
+    ASSERT_EQ(run("expect widget Notices/Readings"), "");
+    const auto painted = [&] {
+        std::vector<FaceId> faces;
+        for (FaceId face = 0; face < 12; ++face)
+            if (document.surface_of(face) == ice) faces.push_back(face);
+        return faces;
+    };
+    const std::vector<FaceId> moved{3, 4, 8}, stayed{2, 3, 7};
+    const std::vector<FaceId> first = painted();
+    ASSERT_TRUE(first == moved || first == stayed);
+    ASSERT_TRUE(run_command(editor(), "select.two_readings"));
+    EXPECT_EQ(document.selection().size(), 4u);
+    ASSERT_TRUE(run_command(editor(), "select.take_reading"));
+    EXPECT_EQ(painted(), first == moved ? stayed : moved);
+    EXPECT_TRUE(document.guessed().empty());
+    host->frame();
+    host->frame();
+    EXPECT_EQ(run("expect no_widget Notices/Readings"), "");
+    document.undo();
+    EXPECT_EQ(painted(), first);
+    ASSERT_TRUE(run_command(editor(), "select.keep_reading"));
+    EXPECT_EQ(painted(), first);
+    EXPECT_TRUE(document.second_reading().empty());
+    ASSERT_TRUE(document.save());
+    open_level(editor(), obj);
+    EXPECT_TRUE(editor().document->second_reading().empty()) << "the answer is remembered";
 }
 
 TEST_F(Reload, KeepsWhatFoundNoFaceUntilItIsAttachedByHand) {

@@ -179,8 +179,32 @@ bool has_selected_guess(const Editor& editor) {
     return editor.document && !selected_guesses(*editor.document).empty();
 }
 
+bool has_two_readings(const Editor& editor) {
+    return editor.document && !editor.document->second_reading().empty();
+}
+
 std::vector<Command> guessed_rows() {
     return {
+        {"select.two_readings", icons::all, "Select what differs", "Select/Guessed paint",
+         "Select the faces whose paint can be read in two ways, because the changed geometry fits both",
+         "reload match turned moved symmetric question", no_key(), has_two_readings, nullptr,
+         [](Editor& e) {
+             apply_selection(e, e.document->second_reading().faces, SelectBy::replace, "Select what differs");
+         }},
+        {"select.take_reading", icons::refresh, "Take the other", "Select/Guessed paint",
+         "Paint the faces as the other reading says; undo shows the first one again",
+         "reload match turned moved symmetric question", no_key(), has_two_readings, nullptr,
+         [](Editor& e) {
+             e.document->take_second_reading();
+             e.status = "The other reading of the paint was taken; undo shows the first one again";
+         }},
+        {"select.keep_reading", icons::check, "Keep this one", "Select/Guessed paint",
+         "Accept the paint of these faces as it is shown", "reload match turned moved symmetric question",
+         no_key(), has_two_readings, nullptr,
+         [](Editor& e) {
+             e.document->accept_guessed(std::vector<FaceId>(e.document->second_reading().faces));
+             e.status = "The paint was kept as it is";
+         }},
         {"select.guessed", icons::all, "All of them", "Select/Guessed paint",
          "Select the faces whose paint was guessed when the geometry was read: matched by plane or distance, "
          "not exactly",

@@ -13,6 +13,15 @@ struct MatchSummary {
     std::string text() const;  // "812 exact, 14 by plane, 3 orphaned"
 };
 
+// Another reading of the paint that fits the geometry as well: objects that look the same turned or not,
+// tiles that all moved by one or stayed. The level has the first reading, in which painted ones of these
+// faces are guesses.
+struct SecondReading {
+    std::vector<FaceId> faces;                    // that it gives another type, ascending
+    std::vector<std::optional<SurfaceId>> types;  // [of `faces`] nothing: not painted
+    bool empty() const { return faces.empty(); }
+};
+
 struct LoadedLevel {
     Level level;
     Warnings warnings;                     // of the OBJ and of the level file
@@ -21,6 +30,7 @@ struct LoadedLevel {
     std::string type_table;                // likewise, ImportedMesh::type_table
     std::vector<FaceId> undrawn;           // likewise; hidden in a level without a level file
     MatchSummary match;
+    SecondReading second;
     double mesh_load_s = 0.0;  // duration of reading the geometry
 };
 
