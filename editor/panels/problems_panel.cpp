@@ -71,26 +71,25 @@ void filter_row(Editor& editor) {
             editor.session.hidden_kinds ^= 1u << static_cast<unsigned>(kind.kind);
 }
 
-// A line that can be clicked. What does not fit of its text is in the tooltip, and below it once it is open.
-bool row(const std::string& id, const std::string& name, const std::string& text, bool open) {
-    const float scale = ui::scale();
-    const bool pressed = ImGui::Selectable(("##" + id).c_str(), open);
+// A row that can be clicked. `wraps`: it is as high as its text needs, else what does not fit is in the
+// tooltip alone.
+bool row(const std::string& id, const std::string& name, const std::string& text, bool open,
+         bool wraps = true) {
+    const float left = 8 * ui::scale(), column = 86 * ui::scale();
+    const float room = ImGui::GetContentRegionAvail().x - column;
+    const float height =
+        wraps ? ImGui::CalcTextSize(text.c_str(), nullptr, false, room).y : ImGui::GetTextLineHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::Selectable(("##" + id).c_str(), open, 0, {0, height});
     ui::record_last_item(id, true, open);
     ui::tooltip(text.c_str());
-    ImGui::SameLine(8 * scale);
-    ImGui::TextUnformatted(name.c_str());
-    ImGui::SameLine(86 * scale);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float room = ImGui::GetContentRegionAvail().x;
-    if (!open || ImGui::CalcTextSize(text.c_str()).x <= room) {
-        ui::ellipsis(at, at.x + room, ui::palette().muted, text);
-        ImGui::NewLine();
-    } else {
-        ImGui::NewLine();
-        ImGui::Indent(8 * scale);
-        ui::muted_text(text.c_str());
-        ImGui::Unindent(8 * scale);
-    }
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddText({at.x + left, at.y}, ui::packed(ui::palette().text), name.c_str());
+    const ImVec2 value{at.x + column, at.y};
+    if (wraps)
+        list.AddText(nullptr, 0.0f, value, ui::packed(ui::palette().muted), text.c_str(), nullptr, room);
+    else
+        ui::ellipsis(value, value.x + room, ui::palette().muted, text);
     return pressed;
 }
 
@@ -137,6 +136,7 @@ void problem_rows(Editor& editor, ProblemKind kind) {
     for (std::size_t i = 0; i < report.problems.size(); ++i)
         if (report.problems[i].kind == kind) rows.push_back(i);
     std::optional<std::size_t> clicked;
+    const bool wraps = rows.size() < 200;
     const bool has_open = editor.session.problem && report.problems[*editor.session.problem].kind == kind;
     // Rows of equal height can be skipped while they are not visible; the open one is higher.
     const auto draw = [&](std::size_t i) {
@@ -144,10 +144,10 @@ void problem_rows(Editor& editor, ProblemKind kind) {
         const bool open = editor.session.problem == i;
         const std::string name =
             problem.face == no_id ? std::string("Material") : fmt::format("Face {}", problem.face);
-        if (row(fmt::format("{} {}", info_of(kind).name, i), name, problem.text, open)) clicked = i;
+        if (row(fmt::format("{} {}", info_of(kind).name, i), name, problem.text, open, wraps)) clicked = i;
         if (open) open_row(editor, Problem(problem));
     };
-    if (has_open || rows.size() < 200) {
+    if (has_open || wraps) {
         for (const std::size_t i : rows)
             draw(i);
     } else {

@@ -21,7 +21,7 @@ namespace {
 constexpr float name_width = 118.0f, lane_height = 17.0f, marker_height = 20.0f, ruler_height = 16.0f,
                 marker_radius = 5.5f;
 
-enum class Shape { up, down, square, diamond, cross, dot };
+enum class Shape { up, down, square, circle, diamond, cross, dot };
 
 struct Marker {
     const char* kind;  // as events name it
@@ -38,6 +38,7 @@ const Marker markers[] = {
     {"surface", "comes onto", Shape::square, {0.80f, 0.47f, 0.65f, 1}},
     {"climb", "takes hold of", Shape::square, {0.90f, 0.62f, 0.0f, 1}},
     {"stick", "sticks to", Shape::square, {0.90f, 0.62f, 0.0f, 1}},
+    {"contact", "touches a wall", Shape::circle, {1.0f, 0.86f, 0.20f, 1}},
     {"push-out", "is pushed out of geometry", Shape::diamond, {1.0f, 0.60f, 0.18f, 1}},
     {"crushed", "is crushed by a platform", Shape::cross, {0.937f, 0.400f, 0.361f, 1}},
     {"hazard", "touches a hazard", Shape::cross, {0.937f, 0.400f, 0.361f, 1}},
@@ -68,6 +69,7 @@ void draw_marker(ImDrawList& list, const Marker& marker, ImVec2 c, float r) {
         case Shape::square:
             list.AddRectFilled({c.x - 0.8f * r, c.y - 0.8f * r}, {c.x + 0.8f * r, c.y + 0.8f * r}, color);
             break;
+        case Shape::circle: list.AddCircleFilled(c, 0.85f * r, color, 16); break;
         case Shape::dot: list.AddCircleFilled(c, 0.5f * r, color, 12); break;
         case Shape::diamond:
             list.AddQuadFilled({c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}, color);
@@ -219,26 +221,27 @@ void lane(ImDrawList& list, const Document& document, const TapeRun& run, const 
 struct Event {
     std::size_t tick;
     const Marker* marker;
-    const RunEvent* told;             // with its reason; null: only its kind is known
-    const SimulationEvent* observed;  // null if told
+    const RunEvent* reported;         // with its reason; null: only its kind is known
+    const SimulationEvent* observed;  // null if reported
 };
 
 std::string event_text(const Event& event) {
-    return event.told ? event.told->text : fmt::format("{} {}", event.marker->words, event.observed->detail);
+    return event.reported ? event.reported->text
+                          : fmt::format("{} {}", event.marker->words, event.observed->detail);
 }
 
-// Those that are told with their reasons, and of the others those that nothing of the same tick tells.
+// Those that are reported with their reasons, and of the others those that nothing of the same tick reports.
 std::vector<Event> events_of(Editor& editor) {
     std::vector<Event> events;
-    std::vector<std::size_t> told;  // their ticks, ascending
+    std::vector<std::size_t> reported;  // their ticks, ascending
     if (const RunFindings* const found = findings(editor))
         for (const RunEvent& event : found->events) {
-            told.push_back(event.first);
+            reported.push_back(event.first);
             if (is_shown(editor.why, event)) events.push_back({event.first, &other_marker, &event, nullptr});
         }
     for (const SimulationEvent& event : editor.lab.runs()[editor.lab.explained()].run.events()) {
         const Marker& marker = find_marker(event.kind);
-        if (&marker == &other_marker && std::ranges::binary_search(told, event.tick)) continue;
+        if (&marker == &other_marker && std::ranges::binary_search(reported, event.tick)) continue;
         events.push_back({event.tick, &marker, nullptr, &event});
     }
     return events;
@@ -268,8 +271,10 @@ void event_tooltip(std::span<const Event> events, const Lab& lab, const LabTrack
     int lines = 0;
     for (const Event& event : events) {
         if (std::abs(static_cast<double>(event.tick) + 0.5 - tick) > reach || lines > 6) continue;
-        const auto tells_it = [&](const Event& other) { return other.told && other.tick == event.tick; };
-        if (event.observed && std::ranges::any_of(events, tells_it)) continue;
+        const auto explains_it = [&](const Event& other) {
+            return other.reported && other.tick == event.tick;
+        };
+        if (event.observed && std::ranges::any_of(events, explains_it)) continue;
         text += fmt::format("\n{}: {}", event.tick, event_text(event));
         ++lines;
     }
