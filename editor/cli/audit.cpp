@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <span>
 
 #include "cli/format.h"
 #include "cli/guarded.h"
@@ -113,7 +115,15 @@ void print_audit(const AuditReport& report, double seconds, std::ostream& out) {
         print_row(out, info_of(static_cast<FindingKind>(kind)).label, fmt::format("{}", report.counts[kind]));
     print_row(out, "hazards", fmt::format("{}", report.hazards));
     print_row(out, "crushed", fmt::format("{}", report.crushed));
-    if (!report.closed) print_row(out, "left", fmt::format("{}", report.left));
+    if (!report.closed) {
+        print_row(out, "left", fmt::format("{} times through openings", report.left));
+        constexpr std::size_t most = 20;
+        const std::vector<AuditExit> exits = busiest_first(report.exits);
+        for (const AuditExit& exit : std::span(exits).first(std::min(exits.size(), most)))
+            print_row(out, "", fmt::format("{}, at {}  m", exit_text(exit), vector_text(exit.position)));
+        if (exits.size() > most)
+            print_row(out, "", fmt::format("and from {} more faces", exits.size() - most));
+    }
     if (report.falls > 0) print_row(out, "falls", fmt::format("{}", report.falls));
     print_row(out, "hash", hash_text(report.hash));
     if (report.findings.empty()) return;

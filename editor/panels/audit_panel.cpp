@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
+#include <vector>
 
 #include "panels/panels.h"
 #include "panels/property_rows.h"
@@ -106,6 +108,20 @@ void finding_rows(Editor& editor) {
     if (wanted) open_finding(editor, *wanted);
 }
 
+// Where walkers left a level that is not closed; a click looks there.
+void exit_rows(Editor& editor, const AuditReport& report) {
+    if (report.exits.empty()) return;
+    constexpr std::size_t most = 20;
+    ui::heading(fmt::format("Left through openings, {}", counted(report.left, "time")).c_str());
+    const ui::Scope scope("Exits");
+    const std::vector<AuditExit> exits = busiest_first(report.exits);
+    for (const AuditExit& exit : std::span(exits).first(std::min(exits.size(), most)))
+        if (ui::selectable(sentence_case(exit_text(exit)).c_str(), false))
+            go_to_position(editor, exit.position);
+    if (exits.size() > most)
+        ui::muted_text(fmt::format("and from {} more faces", exits.size() - most).c_str());
+}
+
 }  // namespace
 
 void audit_panel(Editor& editor, FrameContext& frame) {
@@ -143,6 +159,7 @@ void audit_panel(Editor& editor, FrameContext& frame) {
     else
         heat_rows(editor);
     finding_rows(editor);
+    exit_rows(editor, report);
     if (ui::button("Clear", "Clear the heat map and the findings")) run_command(editor, "audit.clear");
 }
 

@@ -215,6 +215,7 @@ Result<AuditReport> run_audit(const Level& level, const AuditOptions& options) {
 
     for (const AuditRun& run : runs)
         run.add_to(report);
+    report.exits = summed_exits(std::move(report.exits));
     if (options.heat) report.heat.resize(level.mesh.face_count());
     for (const std::vector<FaceHeat>& heat : heats) {
         for (std::size_t face = 0; face < heat.size(); ++face)

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <utility>
 
+#include "slipface/base/counted.h"
 #include "slipface/base/hash.h"
 #include "slipface/sim/audit.h"
 
@@ -14,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int version = 3;
+constexpr int version = 4;
 
 std::string hex(std::uint64_t value) {
     return fmt::format("{:016x}", value);
@@ -223,6 +226,10 @@ std::string audit_to_json(const AuditReport& report) {
     json["hazards"] = report.hazards;
     json["crushed"] = report.crushed;
     json["left"] = report.left;
+    json["exits"] = Json::array();
+    for (const AuditExit& exit : report.exits)
+        json["exits"].push_back(
+            {exit.face, exit.times, exit.walker, exit.position.x(), exit.position.y(), exit.position.z()});
     json["falls"] = report.falls;
     for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
         json[std::string("count_") + info_of(static_cast<FindingKind>(kind)).name] = report.counts[kind];
@@ -285,7 +292,24 @@ Result<AuditReport> audit_from_json(std::string_view text, const std::string& lo
     report.hash = reader.hexadecimal("hash");
     const Json* findings = reader.member("findings");
     if (!findings || !findings->is_array()) reader.fail("findings", "a list");
+    const Json* exits = reader.member("exits");
+    if (!exits || !exits->is_array()) reader.fail("exits", "a list");
     if (reader.error()) return *reader.error();
+    for (std::size_t i = 0; i < exits->size(); ++i) {
+        const Json& one = (*exits)[i];
+        const auto is_number = [](const Json& value) { return value.is_number(); };
+        const bool whole = one.is_array() && one.size() == 6 &&
+                           std::all_of(one.begin(), one.end(), is_number) &&
+                           std::all_of(one.begin(), one.begin() + 3,
+                                       [](const Json& value) { return value.is_number_unsigned(); });
+        if (!whole)
+            return Error{fmt::format("{}:/exits/{}", location, i),
+                         "found something else, expected [face, times, walker, x, y, z]"};
+        report.exits.push_back({one[0].get<FaceId>(),
+                                one[1].get<std::uint64_t>(),
+                                one[2].get<std::uint32_t>(),
+                                {one[3].get<double>(), one[4].get<double>(), one[5].get<double>()}});
+    }
     for (std::size_t i = 0; i < findings->size(); ++i) {
         auto finding = read_finding((*findings)[i], fmt::format("{}:/findings/{}", location, i));
         if (!finding) return finding.error();
@@ -298,6 +322,29 @@ Result<AuditReport> audit_from_json(std::string_view text, const std::string& lo
             return status.error();
     }
     return report;
+}
+
+std::vector<AuditExit> summed_exits(std::vector<AuditExit> exits) {
+    std::ranges::stable_sort(exits, {},
+                             [](const AuditExit& exit) { return std::pair(exit.face, exit.walker); });
+    std::vector<AuditExit> sums;
+    for (const AuditExit& exit : exits) {
+        if (sums.empty() || sums.back().face != exit.face)
+            sums.push_back(exit);
+        else
+            sums.back().times += exit.times;
+    }
+    return sums;
+}
+
+std::vector<AuditExit> busiest_first(std::vector<AuditExit> exits) {
+    std::ranges::stable_sort(exits, std::greater(), &AuditExit::times);
+    return exits;
+}
+
+std::string exit_text(const AuditExit& exit) {
+    return counted(exit.times, "time") +
+           (exit.face == no_id ? std::string() : fmt::format(", last from face {}", exit.face));
 }
 
 Result<AuditReport> merge_audits(const std::vector<AuditPart>& parts) {
@@ -320,6 +367,7 @@ Result<AuditReport> merge_audits(const std::vector<AuditPart>& parts) {
         whole.hazards += report.hazards;
         whole.crushed += report.crushed;
         whole.left += report.left;
+        whole.exits.insert(whole.exits.end(), report.exits.begin(), report.exits.end());
         whole.falls += report.falls;
         whole.hash += report.hash;
         for (std::size_t kind = 0; kind < whole.counts.size(); ++kind)
@@ -331,6 +379,7 @@ Result<AuditReport> merge_audits(const std::vector<AuditPart>& parts) {
     // A walker's findings stay in the order in which they happened.
     std::stable_sort(whole.findings.begin(), whole.findings.end(),
                      [](const AuditFinding& a, const AuditFinding& b) { return a.walker < b.walker; });
+    whole.exits = summed_exits(std::move(whole.exits));
     whole.shard = {};
     return whole;
 }

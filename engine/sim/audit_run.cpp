@@ -323,6 +323,7 @@ bool AuditRun::tick(const AuditTick& now, std::vector<FaceHeat>* heat) {
             ++falls_;
         } else if (!arena_->closed) {
             ++left_;
+            if (exit_) exits_.push_back({exit_->face, 1, number_, exit_->position});
         }
         hash_ = hash_with(hash_, life_hash_);
         begin_life();
@@ -341,6 +342,7 @@ void AuditRun::add_to(AuditReport& report) const {
     report.hazards += hazards_;
     report.crushed += crushed_;
     report.left += left_;
+    report.exits.insert(report.exits.end(), exits_.begin(), exits_.end());
     report.falls += falls_;
     report.hash += hash_with(hash_, life_hash_);
     const auto first = static_cast<std::ptrdiff_t>(report.findings.size());

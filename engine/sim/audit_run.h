@@ -114,6 +114,7 @@ class AuditRun {
 
     std::uint64_t steps_ = 0, lives_ = 0, hazards_ = 0, crushed_ = 0, left_ = 0, falls_ = 0, hash_ = 0;
     std::vector<AuditFinding> findings_;
+    std::vector<AuditExit> exits_;
 };
 
 // Simulates all runs to their ends, side by side, so that platforms move once per tick for all. A walker that

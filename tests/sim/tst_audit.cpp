@@ -221,6 +221,10 @@ TEST(Audit, LeavingAnOpenLevelIsCountedButNoFinding) {
     EXPECT_FALSE(report.closed);
     EXPECT_GT(report.left, 0u);
     EXPECT_EQ(report.lives, options.walkers + report.left);
+    std::uint64_t by_exits = 0;
+    for (const AuditExit& exit : report.exits)
+        by_exits += exit.times;
+    EXPECT_EQ(by_exits, report.left) << "the exits account for each";
     EXPECT_TRUE(report.clean());
 }
 

@@ -75,6 +75,20 @@ struct FaceHeat {
     FaceHeat& operator+=(const FaceHeat& more);
 };
 
+// A way out of a level that is not closed: lives that left it, last from this ground.
+struct AuditExit {
+    FaceId face = no_id;  // no_id: never stood
+    std::uint64_t times = 0;
+    std::uint32_t walker = 0;      // the first of them
+    Vec3 position = Vec3::Zero();  // where that one left the level's bounds, in the level's coordinates
+    friend bool operator==(const AuditExit&, const AuditExit&) = default;
+};
+// Adds up what is of one face; ascending by face.
+std::vector<AuditExit> summed_exits(std::vector<AuditExit> exits);
+// Those by which most lives left come first.
+std::vector<AuditExit> busiest_first(std::vector<AuditExit> exits);
+std::string exit_text(const AuditExit& exit);  // "12 times, last from face 171"
+
 struct AuditReport {
     // What was run.
     std::string level_name;
@@ -98,9 +112,10 @@ struct AuditReport {
     std::uint64_t untried = 0;
     std::uint64_t lives = 0;
     std::uint64_t hazards = 0;
-    std::uint64_t crushed = 0;  // times a platform left a walker no room (PlayerState::crushed)
-    std::uint64_t left = 0;     // lives that ended by leaving a level that is not closed
-    std::uint64_t falls = 0;    // lives that ended below the fall limit, but inside the level
+    std::uint64_t crushed = 0;     // times a platform left a walker no room (PlayerState::crushed)
+    std::uint64_t left = 0;        // lives that ended by leaving a level that is not closed
+    std::vector<AuditExit> exits;  // of these lives; ascending by face
+    std::uint64_t falls = 0;       // lives that ended below the fall limit, but inside the level
     std::array<std::uint64_t, finding_kind_count> counts{};  // [FindingKind]; a life counts once per kind
     std::uint64_t hash = 0;              // sum over walkers of a hash of the end hashes of their lives
     std::vector<AuditFinding> findings;  // by walker, life, tick; the first of each kind in each life
