@@ -28,6 +28,7 @@ struct Body {
     const MovementSettings* settings = nullptr;     // of the body that it has
     Vec3 begin = Vec3::Zero(), end = Vec3::Zero();  // of its centre in this step, the scene's coordinates
     double walkable = 1.0;                          // least N.y of what it stands on
+    Vec3 wish = Vec3::Zero();                       // of its input, as long as 1
     bool rides = false;                             // began on another body
     Vec3 velocity = Vec3::Zero();                   // of its motion in this step, m/s
     double gave = 1.0;                              // the part of its last push that it went, 0..1
@@ -140,8 +141,17 @@ Vec3 sideways(const Body& a, const Body& b, const Vec3& normal) {
     return flat.isZero(0.0) ? any_direction(a, b) : flat;
 }
 
-// What the first body does to leave the second one, m: it goes half the way, and what the other one could not
-// go.
+// How much of what keeps two bodies apart the first one does, 0..1: half, or less where both want the same
+// way and it is ahead. So one after the other passes a door that is too narrow for two.
+double share_of(const Body& a, const Body& b) {
+    constexpr double clearly_ahead = 0.25;  // of the distance at which they touch
+    if (!(a.wish.dot(b.wish) > 0.0)) return 0.5;
+    const double ahead = apart(a, a.begin, b, b.begin).dot(direction_of(a.wish + b.wish));
+    return 0.5 - 0.5 * std::clamp(ahead / clearly_ahead, -1.0, 1.0);
+}
+
+// What the first body does to leave the second one, m: it goes its share of the way, and what the other one
+// could not go of its own.
 Vec3 give_way(const Body& a, const Body& b, const Touch& touch) {
     if (stands_on(a, touch.normal)) return way_out(a, b, Vec3::UnitY()) * Vec3::UnitY();
     if (stands_on(b, -touch.normal))  // under a ceiling
@@ -153,7 +163,7 @@ Vec3 give_way(const Body& a, const Body& b, const Touch& touch) {
         const Vec3 since = touch.left * (a.end - a.begin - b.end + b.begin);
         depth = std::min(depth, std::max(0.0, -since.dot(away)));
     }
-    return (1.0 - 0.5 * b.gave) * depth * away;
+    return (1.0 - share_of(b, a) * b.gave) * depth * away;
 }
 
 // Of several that push the same way few are enough, and two from opposite sides are none.
@@ -321,7 +331,7 @@ void settle(Crowd& crowd) {
                 continue;
             }
             const Vec3 away = sideways(body, other, touch->normal);
-            brakes.add(-0.5 * std::min(0.0, (before[i] - before[k]).dot(away)) * away);
+            brakes.add(-share_of(body, other) * std::min(0.0, (before[i] - before[k]).dot(away)) * away);
         }
         PlayerState& state = body.member->state;
         if (!body.held()) state.velocity += brakes.together(1.0);
@@ -353,10 +363,12 @@ void step_crowd(const MovementScene& scene, std::span<CrowdMember> members, doub
     crowd.bodies.reserve(usable.size());
     for (const std::uint32_t i : spatial_order(places)) {
         const PlayerState& state = usable[i]->state;
+        const Vec2& wish = usable[i]->input.wish;
         crowd.bodies.push_back({.member = usable[i],
                                 .settings = usable[i]->settings,
                                 .begin = places[i],
                                 .walkable = slope_cosine(usable[i]->settings->max_slope),
+                                .wish = Vec3(wish.x(), 0.0, wish.y()),
                                 .rides = state.grounded && state.carrier == Carrier::character});
     }
     crowd.each([&](std::size_t, Body& body) {

@@ -152,6 +152,37 @@ TEST(Crowd, NobodyStandsOnAShoulder) {
     EXPECT_GE(closest(crowd), 1.0 - 1e-9);
 }
 
+// All want through a door that is a little wider than one of them.
+TEST(Crowd, ADoorForOneLetsAllThrough) {
+    Random random(1129);
+    for (int run_of = 0; run_of < 12; ++run_of) {
+        Yard yard;
+        const double half = 0.5 * random.between(0.9, 1.4), middle = random.between(-1, 1);
+        Lab lab;
+        lab.floor();
+        for (const double side : {-1.0, 1.0}) {
+            lab.wall({0, middle + side * half}, {0, middle + side * 12});
+            lab.wall({0, middle + side * 12}, {0, middle + side * half});
+        }
+        lab.ready();
+        Crowd crowd;
+        for (int i = 0; i < 24; ++i)
+            crowd.push_back(yard.member(-1.5 - 1.2 * (i % 4) + random.between(-0.1, 0.1),
+                                        1.2 * (i / 4) - 3 + random.between(-0.1, 0.1)));
+        const auto is_through = [](const CrowdMember& member) { return member.state.position.x() > 0.7; };
+        int ticks = 0;
+        for (; ticks < 1200 && !std::all_of(crowd.begin(), crowd.end(), is_through); ++ticks) {
+            for (CrowdMember& member : crowd) {
+                const Vec3& at = member.state.position;
+                const Vec2 way = at.x() > 0.0 ? Vec2(1, 0) : Vec2(0.3 - at.x(), middle - at.z());
+                member.input.wish = way.normalized();
+            }
+            step_crowd(lab.scene(), crowd, tick);
+        }
+        EXPECT_LT(ticks, 1200) << 2 * half << " m";
+    }
+}
+
 TEST(Crowd, TwoAtOnePlacePart) {
     Yard yard;
     Crowd crowd{yard.member(1), yard.member(1)};

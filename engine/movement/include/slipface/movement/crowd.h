@@ -28,7 +28,8 @@ void step_many(const MovementScene& scene, std::span<CrowdMember> members, doubl
 // - A member that comes down on another one stands on it where the contact is no steeper than its
 //   `max_slope`: it is grounded, with ground_face = no_id, is carried along, and can jump.
 // - All other contacts push horizontally, each of the two by half; what a wall does not let one of them give
-//   way, the other one does. They lose the speed at which they approached each other, each half of it.
+//   way, the other one does. They lose the speed at which they approached each other, each half of it. Of two
+//   that want the same way the one behind does more of both, so that a crowd passes a door one by one.
 // - All give way at once, in up to nine rounds, each by no more than the longest push that it gets: nobody's
 // turn
 //   comes first. In a pile a member sees 16 of those around it, and the next steps take the others apart.
