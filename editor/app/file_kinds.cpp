@@ -6,6 +6,7 @@
 #include "document/folder_listing.h"
 #include "slipface/base/text.h"
 #include "slipface/mesh/formats.h"
+#include "tools/lab/imported_run.h"
 #include "tools/lab/lab_actions.h"
 #include "tools/lab/run_file.h"
 #include "tools/session/exchange.h"
@@ -30,6 +31,8 @@ constexpr FileKind kinds[] = {
      false, open_run, "", ".capsule"},
     {FileDialogKind::open_recording, "Open a recording", ".tape", "Path of a .tape file", false, open_tape},
     {FileDialogKind::add_tape, "Add a tape", ".tape", "Path of a .tape file", false, add_tape},
+    {FileDialogKind::import_run, "Import a run of another controller", ".csv",
+     "Path of a .csv or a .jsonl file", false, import_run, "", ".jsonl"},
     {FileDialogKind::save_tape, "Save the tape as", ".tape", "Path of a .tape file", true, save_tape},
     {FileDialogKind::save_capsule, "Save the run with its level as", ".capsule", "Path of a .capsule file",
      true, save_capsule},

@@ -46,6 +46,7 @@ void verb_select(ScriptContext& context, const Words& words);
 void verb_prop(ScriptContext& context, const Words& words);
 void verb_replace(ScriptContext& context, const Words& words);
 void verb_pane(ScriptContext& context, const Words& words);
+void verb_run(ScriptContext& context, const Words& words);
 void verb_preset(ScriptContext& context, const Words& words);
 void verb_export(ScriptContext& context, const Words& words);
 void verb_expect(ScriptContext& context, const Words& words);

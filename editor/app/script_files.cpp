@@ -1,5 +1,7 @@
 // The verbs that exchange files with other programs.
 #include "app/script_context.h"
+#include "tools/lab/imported_run.h"
+#include "tools/lab/lab_actions.h"
 #include "tools/session/exchange.h"
 
 namespace slipface {
@@ -13,6 +15,21 @@ void verb_preset(ScriptContext& context, const Words& words) {
         save_preset(context.editor(), path);
     else
         return context.fail("expected open or save, found \"" + words[1] + "\"");
+    context.host.frame();
+    context.host.frame();
+}
+
+void verb_run(ScriptContext& context, const Words& words) {
+    if (!context.editor().document) return context.fail("nothing is open");
+    const std::filesystem::path path = script_path(context, words[2]);
+    if (words[1] == "open")
+        open_tape(context.editor(), path);
+    else if (words[1] == "add")
+        add_tape(context.editor(), path);
+    else if (words[1] == "import")
+        import_run(context.editor(), path);
+    else
+        return context.fail("expected open, add or import, found \"" + words[1] + "\"");
     context.host.frame();
     context.host.frame();
 }

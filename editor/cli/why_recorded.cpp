@@ -1,18 +1,12 @@
 #include <fmt/format.h>
 
 #include "cli/format.h"
-#include "cli/recorded_faults.h"
 #include "cli/verbs.h"
 #include "slipface/level/preset.h"
+#include "slipface/sim/recorded_faults.h"
 
 namespace slipface::cli {
 namespace {
-
-std::string compared_text(const RecordedFault& fault) {
-    std::string text = fault.slipface_passes ? "Slipface passes" : "Slipface does not pass either";
-    if (fault.differs_at) text += fmt::format("; differs at tick {}", *fault.differs_at);
-    return text;
-}
 
 OutputJson fault_json(const RecordedFault& fault, const RecordedRun& run) {
     OutputJson json{{"kind", fault_name(fault.kind)},          {"first", fault.first},   {"last", fault.last},

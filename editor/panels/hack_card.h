@@ -7,7 +7,6 @@ namespace slipface {
 
 // "214 of 600" and a button that opens the card: what the hack does, where it acted, its two images, its
 // demo.
-constexpr float hack_cell_em = 4.4f;  // its width, in font sizes
 void hack_cell(Editor& editor, FrameContext& frame, const SettingInfo& info);
 
 }  // namespace slipface

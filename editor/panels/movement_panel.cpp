@@ -127,7 +127,7 @@ void switch_row(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     const bool modified = (on ? 1.0 : 0.0) != standard;
     const std::string tooltip = setting_tooltip(info);
     ImGui::PushID(info.name);
-    if (begin_property_rows("switch", ImGui::GetContentRegionAvail().x, hack_cell_em)) {
+    if (begin_property_rows("switch", ImGui::GetContentRegionAvail().x)) {
         property_row("", nullptr, modified);
         ImGui::TableSetColumnIndex(1);
         if (ui::checkbox(info.label, &on, tooltip.c_str()))

@@ -54,6 +54,22 @@ void ghost(Overlay& overlay, const TapeRun& run, double time_s, const Color& col
         overlay.arrow(sample.position, sample.position + motion * 0.2, color, 2.5f, true);
 }
 
+// Where the other controller's player went, dashed, and where it is at the cursor.
+void imported(Overlay& overlay, const ImportedRun& imported, double until_s) {
+    if (!imported.run) return;
+    const std::vector<RecordedTick>& ticks = imported.run->ticks;
+    const Color color = to_color(ui::palette().bad, 0.95f);
+    const std::size_t stride = std::max<std::size_t>(1, ticks.size() / max_segments);
+    const Vec3 up(0.0, 0.03, 0.0);
+    for (std::size_t i = stride; i < ticks.size(); i += stride)
+        if (i / stride % 3 != 0) overlay.line(ticks[i - stride].feet + up, ticks[i].feet + up, color, 2.5f);
+    Color fill = color;
+    fill.alpha = 0.14f;
+    const RecordedTick& now = ticks[imported.tick_at(until_s)];
+    overlay.ellipsoid(now.feet + Vec3(0.0, 0.5 * imported.run->height, 0.0),
+                      {imported.run->radius, 0.5 * imported.run->height, imported.run->radius}, fill, color);
+}
+
 void partings(Overlay& overlay, const Lab& lab) {
     const Color color = to_color(parting_color(), 1.0f);
     for (std::size_t i = 1; i < lab.runs().size(); ++i) {
@@ -116,6 +132,7 @@ void add_lab(Overlay& overlay, const Editor& editor) {
         ribbon(overlay, lab.runs()[i].run, time_s, color);
         ghost(overlay, lab.runs()[i].run, time_s, color, i == lab.explained());
     }
+    imported(overlay, editor.imported, time_s + lab.tape().dt);
     partings(overlay, lab);
     draw_trace(overlay, lab.trace(document).records, lab.runs()[lab.explained()].settings.radii,
                {.ghosts = false, .contacts = true, .planes = true, .remainders = false, .opacity = 0.9f});
@@ -176,6 +193,12 @@ void lab_labels(const Editor& editor, const ViewportState& state) {
     const Lab& lab = editor.lab;
     if (!lab.has_tape() || lab.show_rates || editor.playtest) return;
     const Camera camera = editor.view.camera();
+    if (editor.imported.run) {
+        const double time_s = static_cast<double>(lab.cursor() + 1) * lab.tape().dt;
+        const RecordedTick& now = editor.imported.run->ticks[editor.imported.tick_at(time_s)];
+        view_label(state, camera, now.feet + Vec3(0.0, editor.imported.run->height + 0.1, 0.0),
+                   editor.imported.name, ui::palette().bad);
+    }
     for (std::size_t i = 1; i < lab.runs().size(); ++i) {
         const LabRun& run = lab.runs()[i];
         const auto& divergence = lab.divergence(i);

@@ -147,6 +147,19 @@ void events_list(Editor& editor, const std::vector<RunEvent>& events) {
     editor.lab.seek(shown[*clicked].first);
 }
 
+// What disturbed the other controller's player, and whether Slipface's mover passes there.
+void imported_list(Editor& editor) {
+    if (!editor.imported.run) return;
+    ui::heading(("Run of another controller: " + editor.imported.name).c_str());
+    const std::vector<RecordedFault>* const faults = imported_faults(editor);
+    if (faults == nullptr) return ui::muted_text("Looking for what disturbed it\u2026");
+    if (faults->empty()) return ui::muted_text("Nothing disturbed its player");
+    const auto clicked = moments("Imported", editor.lab, *faults, [](const RecordedFault& fault) {
+        return sentence_case(fault.text) + ". " + compared_text(fault);
+    });
+    if (clicked) go_to_fault(editor, RecordedFault((*faults)[*clicked]));
+}
+
 // What each rule did to the velocity in this tick, as bars of one scale.
 void velocity_bars(const TickTrace& trace, const StoryNames& names) {
     const std::vector<VelocityChange> changes = velocity_changes(trace, names);
@@ -339,6 +352,7 @@ void why_panel(Editor& editor) {
         ui::muted_text("This tick is not computed yet");
         return;
     }
+    imported_list(editor);
     if (const RunFindings* const found = findings(editor)) {
         headline(editor, stop_at_cursor(editor));
         stops_list(editor, found->stops);

@@ -12,6 +12,7 @@
 #include "document/document.h"
 #include "document/recent_files.h"
 #include "slipface/view/level_style.h"
+#include "tools/lab/imported_run.h"
 #include "tools/lab/lab.h"
 #include "tools/lab/probe.h"
 #include "tools/lab/why.h"
@@ -86,6 +87,7 @@ enum class FileDialogKind {
     open_tape,
     open_recording,
     add_tape,
+    import_run,
     save_tape,
     save_capsule,
     save_csv,
@@ -158,6 +160,7 @@ struct Editor {
     std::optional<Playtest> playtest;      // walking while set
     bool began_in_view = true;             // the walk: its start was seen in the view before
     Lab lab;                               // the tape, and its runs under other settings
+    ImportedRun imported;                  // of another controller, beside the lab's tape
     Why why;                               // of the lab's selected run
     std::vector<StoredTape> stored_tapes;  // newest last; each returns when its level is opened
     std::optional<AwaitedRun> awaited_run;

@@ -143,15 +143,15 @@ Vec3 sideways(const Body& a, const Body& b, const Vec3& normal) {
 
 // How much of what keeps two bodies apart the first one does, 0..1: half, or less where both want the same
 // way and it is ahead. So one after the other passes a door that is too narrow for two.
-double share_of(const Body& a, const Body& b) {
+double fraction_of(const Body& a, const Body& b) {
     constexpr double clearly_ahead = 0.25;  // of the distance at which they touch
     if (!(a.wish.dot(b.wish) > 0.0)) return 0.5;
     const double ahead = apart(a, a.begin, b, b.begin).dot(direction_of(a.wish + b.wish));
     return 0.5 - 0.5 * std::clamp(ahead / clearly_ahead, -1.0, 1.0);
 }
 
-// What the first body does to leave the second one, m: it goes its share of the way, and what the other one
-// could not go of its own.
+// What the first body does to leave the second one, m: it goes its fraction of the way, and what the other
+// one could not go of its own.
 Vec3 give_way(const Body& a, const Body& b, const Touch& touch) {
     if (stands_on(a, touch.normal)) return way_out(a, b, Vec3::UnitY()) * Vec3::UnitY();
     if (stands_on(b, -touch.normal))  // under a ceiling
@@ -163,7 +163,7 @@ Vec3 give_way(const Body& a, const Body& b, const Touch& touch) {
         const Vec3 since = touch.left * (a.end - a.begin - b.end + b.begin);
         depth = std::min(depth, std::max(0.0, -since.dot(away)));
     }
-    return (1.0 - share_of(b, a) * b.gave) * depth * away;
+    return (1.0 - fraction_of(b, a) * b.gave) * depth * away;
 }
 
 // Of several that push the same way few are enough, and two from opposite sides are none.
@@ -331,7 +331,7 @@ void settle(Crowd& crowd) {
                 continue;
             }
             const Vec3 away = sideways(body, other, touch->normal);
-            brakes.add(-share_of(body, other) * std::min(0.0, (before[i] - before[k]).dot(away)) * away);
+            brakes.add(-fraction_of(body, other) * std::min(0.0, (before[i] - before[k]).dot(away)) * away);
         }
         PlayerState& state = body.member->state;
         if (!body.held()) state.velocity += brakes.together(1.0);

@@ -59,6 +59,16 @@ inline std::string obj_with_cut_face(int n) {
     return text.replace(text.find(whole.str()), whole.str().size(), halves.str());
 }
 
+// A row of tiles from `first` on, each with corners of its own.
+inline std::string tiles(int first, int count) {
+    std::ostringstream text;
+    for (int i = first; i < first + count; ++i)
+        text << "v " << i << " 0 0\nv " << i << " 0 1\nv " << i + 1 << " 0 1\nv " << i + 1 << " 0 0\n";
+    for (int i = 0; i < count; ++i)
+        text << "f " << 4 * i + 1 << " " << 4 * i + 2 << " " << 4 * i + 3 << " " << 4 * i + 4 << "\n";
+    return text.str();
+}
+
 class LevelFixture : public testing::Test {
   protected:
     static constexpr int n = 8;

@@ -96,6 +96,9 @@ const std::map<std::string_view, Case>& cases() {
          {"open cut.obj\ncommand select.next_guessed", "expect status \"2 guesses accepted, 0 left\""}},
         {"select.drop_guessed",
          {"open cut.obj", "expect status \"2 guesses dropped, 0 left\"\nexpect count ice 0"}},
+        {"select.two_readings", {"open tiles.obj", "expect selected 2"}},
+        {"select.take_reading", {"open tiles.obj", "expect status \"The other reading*\""}},
+        {"select.keep_reading", {"open tiles.obj", "expect status \"The paint was kept*\""}},
         {"select.recall_",
          {"select save a\nselect save b\nselect save c\nselect save d\nselect save e\nselect save f\nselect "
           "save g\n"
@@ -223,6 +226,11 @@ TEST_F(EveryCommand, DoesSomethingThatCanBeSeenByItsKeyAndByItsMenu) {
     std::string cut = read_text(folder / "cut.slipface.json");
     write_text(folder / "cut.slipface.json", cut.replace(cut.find("grid.obj"), 8, "cut.obj"));
     write_text(folder / "cut.obj", obj_with_cut_face(n));
+    write_text(folder / "tiles.obj", tiles(0, 12));
+    open_level(editor(), folder / "tiles.obj");
+    editor().document->paint(std::vector<FaceId>{5}, ice);
+    ASSERT_TRUE(editor().document->save().ok());
+    write_text(folder / "tiles.obj", tiles(1, 12));
     std::ofstream(folder / "report.json")
         << R"({"version": 1, "goldens": "goldens", "entries": [{"name": "first", "state": "different"},
               {"name": "second", "state": "missing"}]})";

@@ -1,7 +1,8 @@
 // The lab without a window: what is recorded, where the cursor goes, which runs are made, and when.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "level_fixture.h"
+#include "app_fixture.h"
 #include "slipface/base/files.h"
 #include "slipface/sim/channels.h"
 #include "slipface/sim/simulate.h"
@@ -626,6 +627,48 @@ TEST_F(LabTest, AnAuditIsCancelled) {
         std::this_thread::yield();
     ASSERT_NE(editor.audit->report(), nullptr);
     EXPECT_TRUE(editor.audit->report()->cancelled);
+}
+
+class ImportedRuns : public AppFixture {
+  protected:
+    // Along the floor at 6 m/s, but for three ticks at a tenth of it.
+    std::filesystem::path recorded() {
+        std::string text = "# slipface-run 1\nt,x,y,z,wish_x,wish_z\n";
+        double x = 1.0, speed = 0.0;
+        for (int i = 0; i < 60; ++i) {
+            speed = i / 3 == 10 ? 0.6 : std::min(6.0, speed + 1.0);
+            x += speed / 60.0;
+            text += fmt::format("{:.5f},{:.5f},0,3.5,1,0\n", (i + 1) / 60.0, x);
+        }
+        write_text(folder / "run.csv", text);
+        return folder / "run.csv";
+    }
+};
+
+TEST_F(ImportedRuns, ShowWhatDisturbedThemBesideSlipface) {
+    EXPECT_EQ(run("run import " + recorded().string() + "\nwait 3\nexpect widget Why/Imported/0"), "");
+    const std::vector<RecordedFault>* const faults = imported_faults(editor());
+    ASSERT_NE(faults, nullptr);
+    ASSERT_EQ(faults->size(), 1u);
+    EXPECT_EQ(faults->front().kind, FaultKind::snag);
+    EXPECT_TRUE(faults->front().slipface_passes);
+    ASSERT_EQ(run("click Why/Imported/0"), "");
+    EXPECT_NEAR(static_cast<double>(editor().lab.cursor()), 32.0, 3.0);
+    // Slipface's mover has the run's speed and goes on.
+    const TapeRun& own = editor().lab.runs().front().run;
+    ASSERT_EQ(own.samples().size(), 59u);
+    EXPECT_GT(own.samples().back().position.x(), 6.3);
+    ASSERT_TRUE(run_command(editor(), "lab.close_tape"));
+    EXPECT_EQ(imported_faults(editor()), nullptr);
+}
+
+TEST_F(ImportedRuns, AWrongFileChangesNothing) {
+    write_text(folder / "wrong.csv", "t,x,y\n1,2\n");
+    import_run(editor(), folder / "wrong.csv");
+    ASSERT_TRUE(editor().message);
+    EXPECT_NE(editor().message->text.find("wrong.csv"), std::string::npos);
+    EXPECT_FALSE(editor().lab.has_tape());
+    EXPECT_EQ(editor().imported.run, nullptr);
 }
 
 }  // namespace

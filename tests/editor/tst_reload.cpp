@@ -65,16 +65,6 @@ TEST_F(Reload, FindsPaintedFacesAgainAsOneStep) {
     EXPECT_EQ(document->surface_of(face_count - 1), ice);
 }
 
-// A row of tiles from `first` on, each with corners of its own.
-std::string tiles(int first, int count) {
-    std::ostringstream text;
-    for (int i = first; i < first + count; ++i)
-        text << "v " << i << " 0 0\nv " << i << " 0 1\nv " << i + 1 << " 0 1\nv " << i + 1 << " 0 0\n";
-    for (int i = 0; i < count; ++i)
-        text << "f " << 4 * i + 1 << " " << 4 * i + 2 << " " << 4 * i + 3 << " " << 4 * i + 4 << "\n";
-    return text.str();
-}
-
 class TwoReadings : public AppFixture {};
 
 // The first tile was deleted and one appended, or all moved by one.

@@ -30,6 +30,11 @@ std::vector<Command> lab_commands() {
         {"lab.add_tape", icons::ghost, "Add a tape…", "Lab",
          "Open another tape beside this one, as a ghost: two attempts, or a colleague's",
          "compare attempts best several", no_key(), can_pin, nullptr, ask_add_tape},
+        {"lab.import_run", icons::ghost, "Import run…", "Lab",
+         "Open positions that a controller of another engine recorded, beside Slipface's mover with the same "
+         "inputs",
+         "unity unreal godot three rapier csv recorded external controller", no_key(), has_document, nullptr,
+         ask_import_run},
         {"lab.save_tape", icons::save, "Save tape…", "Lab",
          "Write the run as a small text file that repeats it bit for bit",
          "replay recording bug report write", no_key(), can_use_tape, nullptr, ask_save_tape},

@@ -278,6 +278,9 @@ void ask_open_recording(Editor& editor) {
 void ask_add_tape(Editor& editor) {
     editor.file_dialog = FileDialogKind::add_tape;
 }
+void ask_import_run(Editor& editor) {
+    editor.file_dialog = FileDialogKind::import_run;
+}
 void ask_save_tape(Editor& editor) {
     editor.file_dialog = FileDialogKind::save_tape;
 }
@@ -290,6 +293,7 @@ void ask_save_csv(Editor& editor) {
 void close_tape(Editor& editor) {
     keep_edited_tape(editor);
     editor.lab.close();
+    editor.imported = {};
 }
 void play(Editor& editor) {
     Lab& lab = editor.lab;

@@ -64,6 +64,7 @@ void ask_open_tape(Editor& editor);
 bool has_recordings(const Editor& editor);
 void ask_open_recording(Editor& editor);
 void ask_add_tape(Editor& editor);
+void ask_import_run(Editor& editor);
 void ask_save_tape(Editor& editor);
 void ask_save_capsule(Editor& editor);
 void ask_save_csv(Editor& editor);

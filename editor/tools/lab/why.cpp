@@ -9,21 +9,16 @@ namespace slipface {
 
 namespace {
 
-// `begin` makes the work, which must own all that it uses.
+// Empty where the search failed; the error is reported once.
 template <class T, class Begin>
-const T* seek(const Editor& editor, Search<T>& search, const typename Search<T>::Key& key,
-              std::optional<MessageDialog>& message, const Begin& begin) {
-    if (!search.work || !(search.key == key)) {
-        search.work.reset();
-        search = Search<T>{.key = key};
-        search.work = std::make_unique<Background<Result<T>>>(begin(), editor.session.wake);
-    }
-    if (search.found) return &*search.found;
-    if (editor.session.beside && !search.work->ready()) return nullptr;
-    Result<T> found = search.work->take();
-    if (!found) message = MessageDialog{"Cannot examine the run", found.error().text(), {}};
-    search.found = found ? std::move(*found) : T{};
-    return &*search.found;
+const T* found_or_reported(Editor& editor, Search<T>& search, const typename Search<T>::Key& key,
+                           const Begin& begin) {
+    const bool fresh = !search.found || !(search.key == key);
+    const Result<T>* const found = seek(search, key, {editor.session.beside, editor.session.wake}, begin);
+    if (found == nullptr || *found) return found != nullptr ? &**found : nullptr;
+    if (fresh) editor.message = MessageDialog{"Cannot examine the run", found->error().text(), {}};
+    static const T none{};
+    return &none;
 }
 
 }  // namespace
@@ -35,7 +30,7 @@ bool is_shown(const Why& why, const RunEvent& event) {
 const RunFindings* findings(Editor& editor) {
     const Lab& lab = editor.lab;
     if (!editor.document || !lab.has_tape() || !lab.runs()[lab.explained()].run.complete()) return nullptr;
-    return seek(editor, editor.why.findings, {lab.revision(), lab.explained()}, editor.message, [&] {
+    return found_or_reported(editor, editor.why.findings, {lab.revision(), lab.explained()}, [&] {
         return [level = editor.document->snapshot(),
                 run = lab.runs()[lab.explained()].run](Progress& progress) -> Result<RunFindings> {
             const auto cancelled = [&] { return progress.cancelled(); };
@@ -59,13 +54,13 @@ const std::vector<Cure>* cures_at_cursor(Editor& editor) {
     const Stop* stop = stop_at_cursor(editor);
     if (stop == nullptr) return nullptr;
     const Lab& lab = editor.lab;
-    return seek(editor, editor.why.cures, {lab.revision(), lab.explained(), stop->first}, editor.message,
-                [&] {
-                    return [level = editor.document->snapshot(), run = lab.runs()[lab.explained()].run,
-                            at = *stop](Progress& progress) -> Result<std::vector<Cure>> {
-                        return find_cures_and_repairs(level, run, at, [&] { return progress.cancelled(); });
-                    };
-                });
+    const auto begin = [&] {
+        return [level = editor.document->snapshot(), run = lab.runs()[lab.explained()].run,
+                at = *stop](Progress& progress) -> Result<std::vector<Cure>> {
+            return find_cures_and_repairs(level, run, at, [&] { return progress.cancelled(); });
+        };
+    };
+    return found_or_reported(editor, editor.why.cures, {lab.revision(), lab.explained(), stop->first}, begin);
 }
 
 void go_to_stop(Editor& editor, const Stop& stop) {

@@ -2,31 +2,18 @@
 // panel.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "document/background.h"
 #include "slipface/sim/cures.h"
 #include "slipface/sim/run_events.h"
+#include "tools/lab/search.h"
 
 namespace slipface {
 
 struct Editor;
-
-// What a background thread searches for; begun anew where the key is another.
-template <class T>
-struct Search {
-    struct Key {
-        std::uint64_t revision = 0;  // of the lab
-        std::size_t run = 0, first = 0;
-        bool operator==(const Key&) const = default;
-    } key = {};
-    std::unique_ptr<Background<Result<T>>> work = {};
-    std::optional<T> found = {};
-};
 
 struct RunFindings {
     std::vector<Stop> stops;

@@ -1,4 +1,4 @@
-#include "cli/recorded_run.h"
+#include "slipface/sim/recorded_run.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
 
-namespace slipface::cli {
+namespace slipface {
 namespace {
 
 struct Wrong {
@@ -214,4 +214,4 @@ Result<RecordedRun> read_recorded_run(const std::filesystem::path& file) {
     return reader.result(file);
 }
 
-}  // namespace slipface::cli
+}  // namespace slipface

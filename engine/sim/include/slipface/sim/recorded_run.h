@@ -8,7 +8,7 @@
 #include "slipface/base/result.h"
 #include "slipface/base/types.h"
 
-namespace slipface::cli {
+namespace slipface {
 
 struct RecordedTick {
     double time_s = 0.0;         // at its end
@@ -28,4 +28,4 @@ inline constexpr std::size_t max_recorded_ticks = 1'000'000;
 // CSV or JSON lines, by the first byte. Errors name file and line, what was found and what was expected.
 Result<RecordedRun> read_recorded_run(const std::filesystem::path& file);
 
-}  // namespace slipface::cli
+}  // namespace slipface

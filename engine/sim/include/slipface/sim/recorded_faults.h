@@ -3,10 +3,11 @@
 
 #include <string>
 
-#include "cli/recorded_run.h"
 #include "slipface/level/level_scene.h"
+#include "slipface/sim/recorded_run.h"
+#include "slipface/sim/tape.h"
 
-namespace slipface::cli {
+namespace slipface {
 
 enum class FaultKind : std::uint8_t {
     stop,     // the player makes less than two fifths of the speed that was wanted, for a quarter of a second
@@ -32,8 +33,14 @@ struct RecordedFault {
     std::optional<std::size_t> differs_at = {};  // the tick from which it is more than 5 cm elsewhere
 };
 
+// "Slipface passes; differs at tick 57".
+std::string compared_text(const RecordedFault& fault);
+
 // In the order of their ticks. `settings` are those of Slipface's mover; its body and speed become the run's.
 std::vector<RecordedFault> find_recorded_faults(const Level& level, LevelScene& scene, const RecordedRun& run,
                                                 const MovementSettings& settings);
 
-}  // namespace slipface::cli
+// The inputs of the run for Slipface's mover, with its body, its speed and the usual time of its ticks.
+Tape tape_of(const RecordedRun& run);
+
+}  // namespace slipface

@@ -1,4 +1,4 @@
-#include "cli/recorded_faults.h"
+#include "slipface/sim/recorded_faults.h"
 
 #include <fmt/format.h>
 
@@ -9,16 +9,16 @@
 
 #include "slipface/sim/story.h"
 
-namespace slipface::cli {
+namespace slipface {
 namespace {
 
 constexpr double stopped_below = 0.4, snagged_by = 0.3;  // of the wanted speed
-constexpr double stop_s = 0.25, grace_s = 0.25, joined_s = 0.06, recovers_s = 0.3;
+constexpr double stop_s = 0.25, grace_s = 0.25, bridged_s = 0.06, recovers_s = 0.3;
 constexpr double hop_m = 0.005, trembles_m = 0.001, creep_m = 0.02;
 constexpr std::size_t trembles = 6;  // turns in half a second
 
 // The motion of a run, and what the stick asked for in each tick.
-struct Motion {
+struct RunMotion {
     const RecordedRun& run;
     double walk_speed = 6.0;
     std::vector<Vec3> velocity{};  // [tick], m/s; of tick 0 zero
@@ -43,8 +43,8 @@ double high_speed(std::vector<double> speeds) {
     return speeds[at];
 }
 
-Motion motion_of(const RecordedRun& run) {
-    Motion m{.run = run};
+RunMotion motion_of(const RecordedRun& run) {
+    RunMotion m{.run = run};
     const std::size_t count = run.ticks.size();
     m.velocity.assign(count, Vec3::Zero());
     for (std::size_t i = 1; i < count; ++i)
@@ -87,9 +87,9 @@ Motion motion_of(const RecordedRun& run) {
 }
 
 // The level around a body that is taken for a capsule, as spheres one above the other.
-class Surroundings {
+class LevelAround {
   public:
-    Surroundings(LevelScene& scene, const RecordedRun& run) : scene_(scene), run_(run) {}
+    LevelAround(LevelScene& scene, const RecordedRun& run) : scene_(scene), run_(run) {}
 
     MovementScene at(std::size_t tick) {
         const double dt = tick == 0 ? 0.0 : run_.ticks[tick].time_s - run_.ticks[tick - 1].time_s;
@@ -201,12 +201,12 @@ class Surroundings {
     const RecordedRun& run_;
 };
 
-class Finder {
+class FaultFinder {
   public:
-    Finder(const Level& level, LevelScene& scene, const RecordedRun& run)
+    FaultFinder(const Level& level, LevelScene& scene, const RecordedRun& run)
         : level_(level), names_(level), run_(run), m_(motion_of(run)), around_(scene, run) {}
 
-    const Motion& motion() const { return m_; }
+    const RunMotion& motion() const { return m_; }
 
     std::vector<RecordedFault> find() {
         losses();
@@ -254,7 +254,7 @@ class Finder {
             if (!is_slow(i) && !is_drop(i)) continue;
             std::size_t last = i;
             for (std::size_t k = i + 1;
-                 k < m_.size() && run_.ticks[k].time_s - run_.ticks[last].time_s <= joined_s + m_.dt(k); ++k)
+                 k < m_.size() && run_.ticks[k].time_s - run_.ticks[last].time_s <= bridged_s + m_.dt(k); ++k)
                 if (is_slow(k) || m_.speed(k) < 0.6 * speed_before(i)) last = k;
             const double lasts = run_.ticks[last].time_s - run_.ticks[i - 1].time_s;
             const double before = std::max(speed_before(i), 0.0);
@@ -296,7 +296,7 @@ class Finder {
                                      hit->feature == Feature::edge ? "edge" : "corner", of);
     }
     void blame_seam(RecordedFault& fault, const std::string& what) {
-        const Surroundings::Seam seam = around_.seam(fault.first, feet(fault.first));
+        const LevelAround::Seam seam = around_.seam(fault.first, feet(fault.first));
         fault.face = seam.face;
         fault.other = seam.other;
         fault.position = seam.face == no_id ? feet(fault.first) : around_.to_level(seam.point);
@@ -424,7 +424,7 @@ class Finder {
             if (!out) {
                 RecordedFault fault{
                     .kind = FaultKind::fall, .first = std::max<std::size_t>(stood, 1), .last = i};
-                const Surroundings::Seam edge = around_.seam(stood, feet(stood));
+                const LevelAround::Seam edge = around_.seam(stood, feet(stood));
                 fault.face = edge.face;
                 fault.position = feet(stood);
                 fault.text = fmt::format("your controller falls out of the level{}",
@@ -440,13 +440,13 @@ class Finder {
     const Level& level_;
     StoryNames names_;
     const RecordedRun& run_;
-    Motion m_;
-    Surroundings around_;
+    RunMotion m_;
+    LevelAround around_;
     std::vector<RecordedFault> faults_;
 };
 
 // Slipface's mover from half a second before the fault to half a second after it.
-void compare(const Level& level, LevelScene& scene, const Motion& m, MovementSettings settings,
+void compare(const Level& level, LevelScene& scene, const RunMotion& m, MovementSettings settings,
              RecordedFault& fault) {
     settings.radii = {m.run.radius, 0.5 * m.run.height, m.run.radius};
     settings.walk_speed = m.walk_speed;
@@ -472,7 +472,7 @@ void compare(const Level& level, LevelScene& scene, const Motion& m, MovementSet
             {.time_s = time(i), .feet = feet, .wish = m.wish[i], .jump = m.run.ticks[i].jump});
     }
     if (ghost.ticks.size() < 3) return;
-    const std::vector<RecordedFault> own = Finder(level, scene, ghost).find();
+    const std::vector<RecordedFault> own = FaultFinder(level, scene, ghost).find();
     // Of its own faults count those at the same time that are of the same kind, or end the way as well.
     fault.slipface_passes = !std::ranges::any_of(own, [&](const RecordedFault& f) {
         const bool there = f.last + begin + 3 >= fault.first && f.first + begin <= fault.last + 3;
@@ -498,11 +498,42 @@ const char* fault_name(FaultKind kind) {
 
 std::vector<RecordedFault> find_recorded_faults(const Level& level, LevelScene& scene, const RecordedRun& run,
                                                 const MovementSettings& settings) {
-    Finder finder(level, scene, run);
+    FaultFinder finder(level, scene, run);
     std::vector<RecordedFault> faults = finder.find();
     for (RecordedFault& fault : faults)
         compare(level, scene, finder.motion(), settings, fault);
     return faults;
 }
 
-}  // namespace slipface::cli
+std::string compared_text(const RecordedFault& fault) {
+    std::string text = fault.slipface_passes ? "Slipface passes" : "Slipface does not pass either";
+    if (fault.differs_at) text += fmt::format("; differs at tick {}", *fault.differs_at);
+    return text;
+}
+
+Tape tape_of(const RecordedRun& run) {
+    const RunMotion motion = motion_of(run);
+    std::vector<double> durations;
+    for (std::size_t i = 1; i < motion.size(); ++i)
+        durations.push_back(motion.dt(i));
+    const auto middle = durations.begin() + static_cast<std::ptrdiff_t>(durations.size() / 2);
+    std::nth_element(durations.begin(), middle, durations.end());
+    Tape tape;
+    tape.dt = *middle;
+    tape.dt_text = fmt::format("{}", tape.dt);
+    tape.start = run.ticks.front().feet + Vec3(0.0, 0.5 * run.height, 0.0);
+    tape.settings = {fmt::format("radius_x={}", run.radius), fmt::format("radius_y={}", 0.5 * run.height),
+                     fmt::format("radius_z={}", run.radius), fmt::format("walk_speed={}", motion.walk_speed)};
+    // Each tick of the tape has the input of the recorded tick in its middle.
+    std::size_t at = 1;
+    const double begin = run.ticks.front().time_s, end = run.ticks.back().time_s;
+    for (std::size_t i = 0; begin + (static_cast<double>(i) + 0.5) * tape.dt < end && i < max_recorded_ticks;
+         ++i) {
+        while (run.ticks[at].time_s < begin + (static_cast<double>(i) + 0.5) * tape.dt)
+            ++at;
+        append_tick(tape, {.wish = motion.wish[at], .buttons = {Button::jump, run.ticks[at].jump}});
+    }
+    return tape;
+}
+
+}  // namespace slipface
