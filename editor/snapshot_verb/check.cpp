@@ -125,6 +125,9 @@ int finish(const CheckArguments& arguments, Report& report) {
     if (arguments.timing) print_timing(report, arguments.work.jobs);
     if (report.failed() > 0) {
         fmt::print("Look at {}\n", (out / "report.html").generic_string());
+    const std::string uncovered = not_reached_text(not_reached(report));
+    if (!arguments.quiet && arguments.only.empty() && report.shard.whole() && !uncovered.empty())
+        print_line("not reached", uncovered);
         if (const std::string command = approve_command(report, out); !command.empty())
             fmt::print("To approve the new images: {}\n", command);
     }

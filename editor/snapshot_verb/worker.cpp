@@ -62,7 +62,7 @@ GoldenResult render_to_folder(const Snapshot& snapshot, const fs::path& out) {
 GoldenResult approve(const Snapshot& snapshot, const WorkArguments& arguments) {
     const Result<Rendering> rendering = snapshot.render();
     if (!rendering) return failed(snapshot.name, rendering.error().text());
-    const bool software = is_input(snapshot.name) || rendering->numbers.empty() ||
+    const bool software = rendering->numbers.find("\"renderer\": {") == std::string::npos ||
                           rendering->numbers.find("llvmpipe") != std::string::npos;
     if (!software && !arguments.any_renderer)
         return failed(snapshot.name,
@@ -235,6 +235,7 @@ GoldenResult do_work(Studio& studio, const WorkArguments& arguments, const std::
         result = check_snapshot(*snapshot, arguments.suite.goldens, arguments.out, arguments.twice);
     }
     result.drawing_s = studio.drawing_s() - before;
+    result.coverage = studio.new_coverage();
     return result;
 }
 
