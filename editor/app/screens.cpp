@@ -80,26 +80,13 @@ Result<ScreenHeader> read_header(std::string_view text, const std::string& locat
 
 // What a script is made from: its lines without comments and the files that they name.
 struct ScriptInputs {
-    std::vector<std::string> inputs;  // names in the book
+    InputBook::Named named;
     nlohmann::ordered_json row;
 };
-
-bool is_level_or_tape(const fs::path& file) {
-    const std::string name = file.filename().string(), ending = file.extension().string();
-    return name.ends_with(".slipface.json") || ending == ".obj" || ending == ".glb" || ending == ".gltf" ||
-           ending == ".tape";
-}
 
 ScriptInputs script_inputs(std::string_view text, const ScreenHeader& header, const fs::path& project,
                            InputBook& book) {
     ScriptInputs found;
-    std::set<fs::path> files, others;
-    const auto add = [&](std::string_view word) {
-        std::error_code error;
-        const fs::path file = word.empty() ? fs::path() : project / word;
-        if (fs::is_regular_file(file, error)) (is_level_or_tape(file) ? files : others).insert(file);
-    };
-    add(header.level);
     found.row = {{"kind", "row"},
                  {"size", {header.options.width, header.options.height}},
                  {"scale", header.options.scale}};
@@ -107,25 +94,13 @@ ScriptInputs script_inputs(std::string_view text, const ScreenHeader& header, co
     for (const MaskRect& mask : header.masks)
         found.row["masks"].push_back({mask.x, mask.y, mask.width, mask.height});
     found.row["script"] = nlohmann::ordered_json::array();
+    book.add_named(header.level, project, found.named, found.row);
     for (const std::string_view raw : split(text, '\n')) {
         const std::string_view line = trim(raw);
         if (line.empty() || line.starts_with('#')) continue;
         found.row["script"].push_back(nlohmann::ordered_json::array({std::string(line)}));
-        for (std::string_view word : split(line, ' ')) {
-            if (word.size() > 1 && word.front() == '"' && word.back() == '"')
-                word = word.substr(1, word.size() - 2);
-            add(word);
-        }
+        book.add_named(line, project, found.named, found.row);
     }
-    for (const fs::path& file : files)
-        found.inputs.push_back(book.add(file));
-    for (const fs::path& file : others) {
-        const Result<std::string> bytes = read_file(file);
-        Hasher hasher;
-        hasher.text(bytes ? *bytes : std::string());
-        found.row["files"][file.lexically_relative(project).generic_string()] = hasher.value();
-    }
-    std::sort(found.inputs.begin(), found.inputs.end());
     return found;
 }
 
@@ -154,7 +129,7 @@ std::string screen_numbers(const OffscreenHost& host, const ScriptInputs& script
                          pixel(widget.max.y - widget.min.y)};
     }
     numbers["widgets"] = widgets;
-    numbers["inputs"] = nlohmann::ordered_json::parse(inputs_json(script.inputs, book));
+    numbers["inputs"] = nlohmann::ordered_json::parse(inputs_json(script.named.inputs, book));
     numbers["renderer"] = nlohmann::ordered_json::parse(renderer_fingerprint(host.context()));
     numbers["renderer"]["model"] = processor_model();
     numbers["renderer"]["interface"] = ui::interface_release();
@@ -200,7 +175,8 @@ std::vector<Snapshot> screen_snapshots(const fs::path& folder, InputBook& book) 
         const Result<std::string> text = read_file(script, 1u << 20);
         if (const auto header = text ? read_header(*text, script.filename().string()) : text.error()) {
             snapshot.masks = header->masks;
-            snapshot.inputs = script_inputs(*text, *header, project, book).inputs;
+            const InputBook::Named named = script_inputs(*text, *header, project, book).named;
+            snapshot.inputs.assign(named.inputs.begin(), named.inputs.end());
         }
         snapshot.input = [&book](const std::string& name) { return book.read(name); };
         snapshots.push_back(std::move(snapshot));

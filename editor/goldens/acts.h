@@ -24,6 +24,9 @@ struct Act {
 // row or a screen's ("kind": "row"). Inputs before effects before order; empty: the same.
 std::vector<Act> acts_between(const Numbers& before, const Numbers& after);
 
+// Of the files that a row names, as hashes by name.
+std::vector<Act> file_acts(const Numbers& before, const Numbers& after);
+
 // The parts of it.
 void add_geometry_acts(const Numbers& before, const Numbers& after, std::vector<Act>& acts);
 void add_member_acts(const Numbers& before, const Numbers& after, std::vector<Act>& acts);

@@ -119,7 +119,8 @@ class Geometry {
         if (what == "object")
             return fmt::format("{} {} moved {:.3g} m", change.objects.size() == 1 ? "object" : "objects",
                                names_of(change), change.largest);
-        return fmt::format("{} of {} {}", counted(change.faces, "face"), names_of(change), what);
+        return fmt::format("{} of {} {}", counted(change.faces, "face"), names_of(change),
+                           change.faces == 1 && what.starts_with("have ") ? "has" + what.substr(4) : what);
     }
     Change& note(ActKind kind, const std::string& what, const std::string& object, std::size_t faces,
                  double moved = 0.0) {

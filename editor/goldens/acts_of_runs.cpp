@@ -95,8 +95,16 @@ std::string mask_act(const Numbers& was, const Numbers& is) {
                        before, after);
 }
 
+Numbers words_of(const Numbers& text) {
+    Numbers words = Numbers::array();
+    const auto line = text.get<std::string>();
+    for (const std::string_view word : split(line, ' '))
+        words.push_back(Numbers::array({std::string(word)}));
+    return words;
+}
+
 // Lines that are on one side only, the first of each.
-std::string script_act(const Numbers& was, const Numbers& is) {
+std::string script_act(const Numbers& was, const Numbers& is, const char* script, const char* line) {
     std::size_t first = 0;
     while (first < std::min(was.size(), is.size()) && was[first] == is[first])
         ++first;
@@ -106,9 +114,9 @@ std::string script_act(const Numbers& was, const Numbers& is) {
         ++tail;
     const std::size_t gone = was.size() - first - tail, come = is.size() - first - tail;
     const auto text = [](const Numbers& row) { return row[0].get<std::string>(); };
-    if (gone == 0) return fmt::format("the script has another line `{}`", text(is[first]));
-    if (come == 0) return fmt::format("the script's line `{}` is gone", text(was[first]));
-    return fmt::format("the script's line `{}` became `{}`", text(was[first]), text(is[first]));
+    if (gone == 0) return fmt::format("the {} has another {} `{}`", script, line, text(is[first]));
+    if (come == 0) return fmt::format("the {}'s {} `{}` is gone", script, line, text(was[first]));
+    return fmt::format("the {}'s {} `{}` became `{}`", script, line, text(was[first]), text(is[first]));
 }
 
 }  // namespace
@@ -142,6 +150,18 @@ void add_tape_acts(const Numbers& before, const Numbers& after, std::vector<Act>
     if (!text.empty()) acts.push_back({ActKind::input, "the tape changed: " + text});
 }
 
+std::vector<Act> file_acts(const Numbers& before, const Numbers& after) {
+    std::vector<Act> acts;
+    for (const auto& [name, hash] : before.items())
+        if (const Numbers& now = member_of(after, name); now != hash)
+            acts.push_back(
+                {ActKind::input, fmt::format("the file {} {}", name, now.is_null() ? "is gone" : "changed")});
+    for (const auto& [name, hash] : after.items())
+        if (member_of(before, name).is_null())
+            acts.push_back({ActKind::input, fmt::format("the file {} is new", name)});
+    return acts;
+}
+
 void add_row_acts(const Numbers& before, const Numbers& after, std::vector<Act>& acts) {
     std::set<std::string> keys;
     for (const Numbers* side : {&before, &after})
@@ -154,7 +174,9 @@ void add_row_acts(const Numbers& before, const Numbers& after, std::vector<Act>&
         if (key == "masks") {
             say(mask_act(was, is));
         } else if (key == "script" && was.is_array() && is.is_array()) {
-            say(script_act(was, is));
+            say(script_act(was, is, "script", "line"));
+        } else if (key == "command" && was.is_string() && is.is_string()) {
+            say(script_act(words_of(was), words_of(is), "command", "word"));
         } else if (key == "camera" && was.is_object() && is.is_object()) {
             const double moved = distance_moved(member_of(was, "eye"), member_of(is, "eye"));
             say(moved > 0.0 ? fmt::format("the camera of the suite moved {:.3g} m", moved)

@@ -78,11 +78,22 @@ Finding program(const Difference& difference, const std::string& movement,
     Finding finding{Cause::program, changed_pixels(difference), by_program, true};
     const Numbers before = parsed(difference.expected_numbers), after = parsed(difference.actual.numbers);
     const bool screen = after.is_object() && after.contains("widgets");
-    const auto view = std::find_if(widgets.begin(), widgets.end(), [](const Finding& one) {
-        return one.text.find("Viewport/View`") == std::string::npos;
-    });
+    const auto number = std::find_if(
+        difference.numbers.begin(), difference.numbers.end(),
+        [](const NumberDifference& one) { return one.decides && one.path.starts_with("/numbers/"); });
+    // A widget that moved says more than what lies behind it, which only looks different.
+    const auto find = [&](bool moved) {
+        return std::find_if(widgets.begin(), widgets.end(), [&](const Finding& one) {
+            return one.text.find("Viewport/View`") == std::string::npos &&
+                   !(moved && (!one.text.starts_with('`') || one.text.ends_with("looks different")));
+        });
+    };
+    const auto view = find(true) != widgets.end() ? find(true) : find(false);
     if (!movement.empty())
         finding.text += "movement: " + movement;
+    else if (number != difference.numbers.end())
+        finding.text += fmt::format("number `{}` was {}, is {}", number->path.substr(9), number->expected,
+                                    number->actual);
     else if (screen && view != widgets.end())
         finding.text += "interface: " + view->text;
     else if (member_of(before, "camera") != member_of(after, "camera"))
@@ -130,10 +141,15 @@ bool any_input_changed(const std::vector<Finding>& findings) {
 std::vector<Finding> explain(const Difference& difference) {
     const Numbers before = parsed(difference.expected_numbers), after = parsed(difference.actual.numbers);
     std::vector<Finding> findings, order, follows;
-    const Numbers &was = member_of(before, "row"), &is = member_of(after, "row");
-    if (was.is_object() && is.is_object())
+    Numbers was = member_of(before, "row"), is = member_of(after, "row");
+    if (was.is_object() && is.is_object()) {
+        for (const Act& act : file_acts(member_of(was, "files"), member_of(is, "files")))
+            findings.push_back({Cause::level, 0, act.text, true});
+        was.erase("files");
+        is.erase("files");
         for (const Act& act : acts_between(was, is))
             findings.push_back({Cause::view, 0, act.text, true});
+    }
     for (const InputPair& input : difference.inputs)
         for (Finding& finding : explain_input(input))
             (!finding.act                    ? follows
@@ -147,7 +163,12 @@ std::vector<Finding> explain(const Difference& difference) {
     if (sized && after.is_object() && after.contains("widgets")) widgets = explain_widgets(difference);
     const std::string renderer = renderer_text(before, after);
     const bool elsewhere = drawn_by(difference.expected_numbers) != drawn_by(difference.actual.numbers);
-    if (findings.empty() && order.empty() && !renderer.empty() && (elsewhere || movement.empty()))
+    // The same libraries on another processor move neither players nor widgets.
+    const auto differ = [&](const char* section) {
+        return member_of(before, section) != member_of(after, section);
+    };
+    const bool computed = !movement.empty() || differ("widgets") || differ("numbers");
+    if (findings.empty() && order.empty() && !renderer.empty() && (elsewhere || !computed))
         findings.push_back({Cause::renderer, changed_pixels(difference), renderer, true});
     if (findings.empty() && order.empty()) findings.push_back(program(difference, movement, widgets));
     findings.insert(findings.end(), order.begin(), order.end());

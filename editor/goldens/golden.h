@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "goldens/coverage.h"
 #include "goldens/numbers.h"
 #include "slipface/image/compare.h"
 
@@ -77,6 +78,8 @@ struct GoldenResult {
     std::string matched;
     std::string message;                    // one line, with numbers and the files written
     double seconds = 0.0, drawing_s = 0.0;  // whole check; drawing alone
+    std::vector<std::string> history;  // its last commits, newest first: "1a2b3c4 2026-11-29 Raise the roof"
+    Coverage coverage;                 // what no entry before it in its process had
 };
 
 // Compares `actual` with FOLDER/NAME.png, then with the alternates NAME.alt1.png to NAME.alt9.png, and its

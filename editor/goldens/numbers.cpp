@@ -32,6 +32,7 @@ constexpr std::array field_rules{
     FieldRule{"*/packed", Cause::level, false, 0.0},
     FieldRule{"/row*", Cause::view, true, 0.0},
     FieldRule{"/camera*", Cause::view, true, 1e-6},
+    FieldRule{"/numbers*", Cause::program, true, 1e-6},
     FieldRule{"/movement/*hash*", Cause::movement, false, 0.0},
     FieldRule{"/movement*", Cause::movement, true, 1e-5},
     FieldRule{"*", Cause::level, true, 0.0},

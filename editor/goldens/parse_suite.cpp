@@ -220,19 +220,46 @@ void read_cameras(Scene& scene, const Json& value, const std::string& location) 
     }
 }
 
+OtherProgram program_of(const Json& value, const std::string& location, const std::filesystem::path& folder) {
+    OtherProgram program;
+    program.folder = folder;
+    if (value.contains("images")) {
+        only_keys(value, location, {"name", "images", "profile", "masks"});
+        program.folder = path_of(value["images"], location + "/images", folder);
+        return program;
+    }
+    only_keys(value, location, {"name", "command", "frames", "seconds", "profile", "masks"});
+    program.command = text_of(value["command"], location + "/command");
+    if (trim(program.command).empty()) refuse(location + "/command", "found nothing, expected a command");
+    const Json frames = value.value("frames", Json::array());
+    if (!frames.is_array()) refuse_type(location + "/frames", frames, "an array of names");
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const std::string here = fmt::format("{}/frames/{}", location, i);
+        program.frames.push_back(text_of(frames[i], here));
+        if (!valid_snapshot_name(program.frames.back()))
+            refuse_type(here, frames[i], "letters, digits, '-', '_', '@' and '/'");
+    }
+    if (value.contains("seconds"))
+        program.seconds = static_cast<int>(number_of(value["seconds"], location + "/seconds", 1, 3600));
+    return program;
+}
+
 Scene scene_of(const Json& value, const std::string& location, const std::filesystem::path& folder,
                const Scene& defaults) {
-    only_keys(value, location,
-              {"name", "level", "camera", "cameras", "size", "style", "probe", "tape", "settings", "profile",
-               "masks"});
     Scene scene = defaults;
+    if (value.contains("command") || value.contains("images"))
+        scene.program = program_of(value, location, folder);
+    else
+        only_keys(value, location,
+                  {"name", "level", "camera", "cameras", "size", "style", "probe", "tape", "settings",
+                   "profile", "masks", "command", "images"});
     scene.location = location;
     scene.name = text_of(member(value, location, "name"), location + "/name");
     if (!valid_snapshot_name(scene.name)) {
         refuse(location + "/name", fmt::format("found {}, expected letters, digits, '-', '_', '@' and '/'",
                                                shown(value["name"])));
     }
-    scene.level = path_of(member(value, location, "level"), location + "/level", folder);
+    if (!scene.program) scene.level = path_of(member(value, location, "level"), location + "/level", folder);
     if (value.contains("cameras")) read_cameras(scene, value, location);
     if (value.contains("camera")) scene.camera = camera_of(value["camera"], location + "/camera");
     read_image(scene, value, location);

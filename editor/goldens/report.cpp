@@ -37,6 +37,9 @@ Numbers entry_json(const GoldenResult& entry) {
     json["seconds"] = entry.seconds;
     json["drawing_s"] = entry.drawing_s;
     if (!entry.matched.empty()) json["matched"] = entry.matched;
+    if (!entry.history.empty()) json["history"] = entry.history;
+    if (!entry.coverage.reached.empty()) json["reached"] = entry.coverage.reached;
+    if (!entry.coverage.there.empty()) json["there"] = entry.coverage.there;
     const Comparison& c = entry.comparison;
     if (!c.verdict.empty())
         json["pixels"] = {
@@ -81,6 +84,9 @@ GoldenResult entry_of(const Numbers& json) {
     entry.seconds = json.value("seconds", 0.0);
     entry.drawing_s = json.value("drawing_s", 0.0);
     entry.matched = json.value("matched", "");
+    entry.history = json.value("history", std::vector<std::string>());
+    entry.coverage = {json.value("reached", std::set<std::string>()),
+                      json.value("there", std::set<std::string>())};
     if (json.contains("pixels")) {
         const Numbers& pixels = json["pixels"];
         Comparison& c = entry.comparison;
@@ -144,6 +150,13 @@ Status copy_images(const std::string& name, const fs::path& from, const fs::path
 std::size_t Report::count(GoldenState state) const {
     return static_cast<std::size_t>(std::count_if(
         entries.begin(), entries.end(), [&](const GoldenResult& entry) { return entry.state == state; }));
+}
+
+std::vector<std::string> not_reached(const Report& report) {
+    Coverage all;
+    for (const GoldenResult& entry : report.entries)
+        all.add(entry.coverage);
+    return all.there.empty() ? std::vector<std::string>() : not_reached(all);
 }
 
 void sort_by_severity(Report& report) {

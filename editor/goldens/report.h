@@ -25,6 +25,9 @@ struct Report {
     std::size_t failed() const { return entries.size() - count(GoldenState::same); }
 };
 
+// Words for what no entry reaches (coverage.h); none if no entry has a run.
+std::vector<std::string> not_reached(const Report& report);
+
 // Sorts the entries, the worst first: unreadable, failed, nondeterministic, different by fraction of pixels,
 // missing, orphans, then the same ones by name.
 void sort_by_severity(Report& report);

@@ -70,8 +70,11 @@ std::string report_to_html(const Report& report, const fs::path& out) {
             names.push_back(report.entries[entry].name);
         data["rows"].push_back({{"text", row.text}, {"word", row.word}, {"entries", names}});
     }
+    data["not_reached"] = not_reached(report);
     const bool embedded = fits_in_page(report, out);
     for (Numbers& entry : data["entries"]) {
+        entry.erase("reached");
+        entry.erase("there");
         if (entry["state"] == "same") continue;
         const std::string name = entry["name"];
         if (embedded) {

@@ -53,7 +53,7 @@ kbd{border:1px solid var(--line);border-bottom-width:2px;border-radius:4px;paddi
 @media (max-width:800px){body{grid-template:auto minmax(120px,34vh) 1fr auto/1fr}header,footer{grid-column:1;flex-wrap:wrap;gap:6px}footer span,#renderer{display:none}nav{border-right:0;border-bottom:1px solid var(--line)}figure{flex-basis:100%}}
 </style></head><body>
 <header><h1>Snapshots</h1><span id="totals"></span><span class="muted" id="renderer"></span></header>
-<nav aria-label="Snapshots"><div id="filters"><input id="search" placeholder="Find by name or act" aria-label="Find by name or act"></div><div id="list"></div></nav>
+<nav aria-label="Snapshots"><div id="filters"><input id="search" placeholder="Find by name or act" aria-label="Find by name or act"></div><div id="list"></div><details id="uncovered" class="act" hidden><summary></summary><p class="muted"></p></details></nav>
 <main id="main"></main>
 <footer><code id="command"></code><button id="copy">Copy</button><span class="muted"><kbd>j</kbd> <kbd>k</kbd> next, previous&ensp;<kbd>a</kbd> approve&ensp;<kbd>r</kbd> reject&ensp;<kbd>s</kbd> skip&ensp;<kbd>1</kbd>–<kbd>5</kbd> mode&ensp;<kbd>d</kbd> difference&ensp;<kbd>space</kbd> blink&ensp;<kbd>z</kbd> size</span></footer>
 <script>
@@ -214,6 +214,7 @@ function drawMain() {
       tools.append(el("button", { textContent: t, className: marks.get(e.name) === m ? "on" : "", onclick: () => setMark(m) }));
     parts.push(tools, el("div", { id: "stage" }));
   }
+  if (e.history) parts.push(el("h3", { textContent: "History" }), table(["Commit", "Date", "What"], e.history.map(line => line.match(/^(\S+) (\S+) (.*)$/).slice(1))), el("p", {}, el("code", { textContent: "slipface snapshot history " + e.name })));
   if (e.numbers) parts.push(el("h3", { textContent: "Numbers" }), table(["Number", "Expected", "Actual", ""], e.numbers.map(n => [el("code", { textContent: n.path }), n.expected, n.actual, n.decides ? "" : "explains only"])));
   if (e.sweep) parts.push(el("h3", { textContent: "Pixels that would differ at other thresholds" }), table(["Threshold", ...e.sweep.map(r => "> " + r[0])], [["Pixels", ...e.sweep.map(r => r[1])]]));
   main.replaceChildren(...parts);
@@ -232,11 +233,14 @@ const keys = {
 document.addEventListener("keydown", event => {
   if (event.target.tagName === "INPUT" && event.target.type !== "range") { if (event.key === "Escape") event.target.blur(); return; }
   if (event.ctrlKey || event.metaKey || event.altKey || !(event.key in keys)) return;
-  if (event.key === " " && event.target.tagName === "BUTTON" && !event.target.classList.contains("item")) return;
+  if (event.key === " " && ["BUTTON", "SUMMARY"].includes(event.target.tagName) && !event.target.classList.contains("item")) return;
   event.preventDefault(); keys[event.key]();
 });
 $("search").oninput = () => { current = 0; draw(); };
 $("copy").onclick = () => { const range = document.createRange(); range.selectNodeContents($("command")); getSelection().removeAllRanges(); getSelection().addRange(range); navigator.clipboard?.writeText(command()).catch(() => {}); };
+$("uncovered").hidden = !DATA.not_reached.length;
+$("uncovered").firstChild.textContent = DATA.not_reached.length + " things are reached by no snapshot";
+$("uncovered").lastChild.textContent = DATA.not_reached.join(", ");
 const linked = shown().findIndex(e => "#" + encodeURIComponent(e.name) === location.hash);
 if (linked >= 0) current = linked;
 draw();

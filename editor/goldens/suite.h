@@ -46,6 +46,19 @@
 //
 // profile: the gate's tolerance, "scene" (default) or "ui". masks: [[x, y, width, height], ...], areas that
 // are not compared.
+//
+// A row of another program has, instead of a level and what is drawn over it, one of these:
+//
+//   "command": "build/demo --frames 3"   a line for the shell, run in the suite's folder. It writes PNGs into
+//                                        the folder that the variable SLIPFACE_CAPTURE names, and NAME.json
+//                                        beside NAME.png: { "numbers": { "NAME": VALUE }, "widgets": {
+//                                        "NAME": [x, y, width, height] }, "renderer": { ... } }, each of
+//                                        which may be left out (slipface/capture.h writes both)
+//   "images": "shots"                    a folder that has such files
+//
+// frames: what the command writes, ["menu", "map"]: the snapshots NAME/menu and NAME/map. Without: one image.
+// Those of a folder are NAME/FILE. seconds: how long the command may take; without: 60. Files that the
+// command names are its inputs, but not those that can be executed.
 #pragma once
 
 #include <filesystem>
@@ -67,8 +80,18 @@ struct SceneProbe {
     std::vector<std::string> settings;  // "name=value"
 };
 
+// What another program shows.
+struct OtherProgram {
+    std::string command;           // a line for the shell; empty: the images lie in `folder`
+    std::filesystem::path folder;  // the command runs there
+    std::vector<std::string> frames;
+    std::string frame;  // the one of this snapshot; empty: the only one
+    int seconds = 60;
+};
+
 struct Scene {
     std::string name;
+    std::optional<OtherProgram> program;  // then there is no level
     std::filesystem::path level;
     std::variant<std::string, Camera> camera = "auto:iso";
     int width = 960;

@@ -1,24 +1,18 @@
 #include "nightly/run_item.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <exception>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "cli/exit_codes.h"
+#include "process/process.h"
 #include "slipface/base/files.h"
 #include "slipface/base/temporary_folder.h"
 #include "slipface/base/text.h"
-
-extern char** environ;
 
 namespace slipface {
 namespace {
@@ -36,33 +30,16 @@ struct Child {
 };
 
 Result<Child> start(std::vector<std::string> words, const fs::path& work, const fs::path& files) {
-    words.insert(words.begin(), "slipface");
-    std::vector<char*> pointers;
-    for (std::string& word : words)
-        pointers.push_back(word.data());
-    pointers.push_back(nullptr);
     Child child{.pid = -1, .out = files / "out.txt", .err = files / "err.txt"};
-    const std::string folder = work.string();
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, child.out.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                     0666);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, child.err.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                     0666);
-    posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-    const int failure =
-        ::posix_spawn(&child.pid, "/proc/self/exe", &actions, nullptr, pointers.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failure != 0)
-        return Error{folder,
-                     "cannot start another process there: " + std::generic_category().message(failure)};
+    const Result<pid_t> process =
+        start_process({.words = std::move(words), .folder = work, .out = child.out, .err = child.err});
+    if (!process) return process.error();
+    child.pid = *process;
     return child;
 }
 
-ChildOutput output_of(const Child& child, int status) {
-    ChildOutput output;
-    output.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+ChildOutput output_of(const Child& child, int code) {
+    ChildOutput output{.code = code, .out = {}, .err = {}};
     if (const Result<std::string> text = read_file(child.out)) output.out = *text;
     if (const Result<std::string> text = read_file(child.err)) output.err = *text;
     std::error_code ignored;
@@ -179,7 +156,7 @@ NightResult read_result(std::size_t index, const NightItem& item, const ChildOut
             result.text = fmt::format("printed what cannot be read: {}", exception.what());
         }
     } else if (output.code > 128) {
-        result.text = fmt::format("ended by signal {}", output.code - 128);
+        result.text = ending_text(output.code);
     } else {
         result.text = last_line(output.err);
         if (const std::string prefix = "slipface: "; result.text.starts_with(prefix))
@@ -191,14 +168,6 @@ NightResult read_result(std::size_t index, const NightItem& item, const ChildOut
 
 constexpr const char* lost_child = "a process that was started can no longer be waited for";
 
-// The process that ended; below 0: there is none to wait for.
-pid_t wait_for(pid_t which, int& status) {
-    pid_t ended;
-    while ((ended = ::waitpid(which, &status, 0)) < 0 && errno == EINTR) {
-    }
-    return ended;
-}
-
 }  // namespace
 
 Result<ChildOutput> run_child(const std::vector<std::string>& arguments, const fs::path& folder) {
@@ -206,10 +175,9 @@ Result<ChildOutput> run_child(const std::vector<std::string>& arguments, const f
     if (!own) return own.error();
     const Result<Child> child = start(arguments, folder, own->path());
     if (!child) return child.error();
-    int status = 0;
-    const pid_t ended = wait_for(child->pid, status);
-    const ChildOutput output = output_of(*child, status);
-    if (ended < 0) return Error{arguments.front(), lost_child};
+    const int code = wait_for(child->pid);
+    ChildOutput output = output_of(*child, code);
+    if (code < 0) return Error{arguments.front(), lost_child};
     return output;
 }
 
@@ -233,8 +201,7 @@ Status run_items(const NightRun& run, const std::vector<std::pair<std::size_t, c
     std::map<pid_t, std::pair<Child, std::size_t>> running;  // its item's place in `items`
     Status status;
     const auto wait_for_one = [&] {
-        int ended = 0;
-        const pid_t pid = wait_for(-1, ended);
+        const auto [pid, code] = wait_for_any();
         if (pid < 0) {
             status = Error{run.out.string(), lost_child};
             running.clear();
@@ -245,7 +212,7 @@ Status run_items(const NightRun& run, const std::vector<std::pair<std::size_t, c
         running.erase(at);
         const auto [index, item] = items[place];
         const fs::path files = run.out / item->folder();
-        NightResult result = read_result(index, *item, output_of(child, ended), files);
+        NightResult result = read_result(index, *item, output_of(child, code), files);
         if (Status written = write_file_atomic(files / result_file, night_result_to_json(result)); !written)
             status = written;
         done(std::move(result));

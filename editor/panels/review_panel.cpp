@@ -26,9 +26,10 @@ ImVec4 color_of(const Review& review, std::size_t index) {
 
 void list(Editor& editor) {
     Review& review = *editor.review;
-    const float height = std::min(static_cast<float>(review.shown.size() + review.acts.size()), 11.0f) *
-                             ImGui::GetTextLineHeightWithSpacing() +
-                         2.0f * ImGui::GetStyle().WindowPadding.y;
+    // As high as what was in it in the last frame, up to half of the panel: acts wrap.
+    float* const content = ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("height of the list"), 0.0f);
+    const float height =
+        std::clamp(*content, 2.0f * ImGui::GetTextLineHeightWithSpacing(), 0.5f * ImGui::GetWindowHeight());
     ImGui::BeginChild("entries", {0, height}, true, ImGuiWindowFlags_NoSavedSettings);
     std::optional<std::size_t> wanted;
     for (std::size_t i = 0; i < review.shown.size(); ++i) {
@@ -50,6 +51,7 @@ void list(Editor& editor) {
         ui::record_last_item(entry.name, true, i == review.current);
         ui::tooltip(golden_state_name(entry.state));
     }
+    *content = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y + ImGui::GetStyle().WindowPadding.y;
     ui::end(ImGui::EndChild);
     if (wanted) review_show(editor, *wanted);
 }
@@ -96,10 +98,10 @@ void reasons(const GoldenResult& entry) {
                            : fmt::format("{} pixels, {}", finding.pixels, cause_name(finding.cause)).c_str());
         ImGui::Spacing();
     }
-    if (!entry.numbers.empty()) ui::heading("Numbers");
     int shown = 0;
     for (const NumberDifference& number : entry.numbers) {
         if (!number.decides) continue;
+        if (shown == 0) ui::heading("Numbers");
         if (++shown > 40) break;
         fact(number.path.substr(1).c_str(), number.expected + " \u2192 " + number.actual);
     }
@@ -117,15 +119,26 @@ struct Box {
     ImVec2 min, size;
 };
 
-// The largest box with the image's proportions in the middle of `room`; never enlarged beyond its pixels.
-Box fitted(const Image& image, Box room) {
-    const float scale = std::min({1.0f, room.size.x / static_cast<float>(image.width),
-                                  room.size.y / static_cast<float>(image.height)});
-    const ImVec2 size{std::floor(static_cast<float>(image.width) * scale),
-                      std::floor(static_cast<float>(image.height) * scale)};
+// How large an image is drawn that it fits: smaller, or whole times its pixels.
+float fitting_scale(const Image& image, ImVec2 room) {
+    const float scale =
+        std::min(room.x / static_cast<float>(image.width), room.y / static_cast<float>(image.height));
+    return scale > 1.0f ? std::floor(scale) : scale;
+}
+
+ImVec2 scaled(const Image& image, float scale) {
+    return {std::floor(static_cast<float>(image.width) * scale),
+            std::floor(static_cast<float>(image.height) * scale)};
+}
+
+Box in_middle(const Box& room, ImVec2 size) {
     return {{std::floor(room.min.x + 0.5f * (room.size.x - size.x)),
              std::floor(room.min.y + 0.5f * (room.size.y - size.y))},
             size};
+}
+
+Box fitted(const Image& image, const Box& room) {
+    return in_middle(room, scaled(image, fitting_scale(image, room.size)));
 }
 
 // Part of the image from `from` to `to`, fractions of its width.
@@ -142,23 +155,32 @@ void missing(const Box& room, const char* text) {
         ui::packed(ui::palette().muted), text);
 }
 
+// Beside each other or one above the other, whichever is larger, and close together.
 void side_by_side(const Review& review, FrameContext& frame, const Box& room) {
-    const bool stacked = room.size.x < 1.4f * room.size.y;
-    const ImVec2 half =
-        stacked ? ImVec2{room.size.x, 0.5f * room.size.y} : ImVec2{0.5f * room.size.x, room.size.y};
-    const ImVec2 second =
-        stacked ? ImVec2{room.min.x, room.min.y + half.y} : ImVec2{room.min.x + half.x, room.min.y};
+    const Image& model = review.actual.rgba.empty() ? review.expected : review.actual;
+    if (model.rgba.empty())
+        return missing(room, is_input(review.entry()->name) ? "What it is made from, without an image"
+                                                            : "There is no image");
+    const float gap = 8 * ui::scale();
+    const ImVec2 inside{room.size.x - gap, room.size.y - gap};
+    const float across = fitting_scale(model, {0.5f * (inside.x - gap), inside.y}),
+                below = fitting_scale(model, {inside.x, 0.5f * (inside.y - gap)});
+    const bool stacked = below > across;
+    const ImVec2 size = scaled(model, std::max(across, below));
+    const ImVec2 step = stacked ? ImVec2{0, size.y + gap} : ImVec2{size.x + gap, 0};
+    Box box = in_middle(room, {size.x + step.x, size.y + step.y});
+    box.size = size;
     int slot = 0;
-    for (const auto& [image, title, min] :
-         {std::tuple(&review.expected, "Expected", room.min), std::tuple(&review.actual, "Actual", second)}) {
-        const Box half_room{{min.x + 4, min.y + 4}, {half.x - 8, half.y - 8}};
+    for (const auto& [image, title, none] : {std::tuple(&review.expected, "Expected", "There is no golden"),
+                                             std::tuple(&review.actual, "Actual", "There is no image")}) {
         if (image->rgba.empty()) {
-            missing(half_room, slot == 0 ? "There is no golden" : "There is no image");
+            missing(box, none);
         } else {
-            const Box box = fitted(*image, half_room);
-            show(frame.viewport->still(slot, *image, review.images_revision), box);
-            caption({box.min.x + 8, box.min.y + 8}, title);
+            const Box own = fitted(*image, box);
+            show(frame.viewport->still(slot, *image, review.images_revision), own);
+            caption({own.min.x + 8, own.min.y + 8}, title);
         }
+        box.min = {box.min.x + step.x, box.min.y + step.y};
         ++slot;
     }
 }

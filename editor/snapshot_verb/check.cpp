@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -11,9 +12,11 @@
 
 #include "cli/exit_codes.h"
 #include "cli/options.h"
+#include "goldens/merge_facts.h"
 #include "goldens/report.h"
 #include "slipface/base/files.h"
 #include "slipface/base/text.h"
+#include "snapshot_verb/history.h"
 #include "snapshot_verb/sheet.h"
 
 namespace slipface {
@@ -115,12 +118,16 @@ void write_step_summary(const Report& report) {
 
 int finish(const CheckArguments& arguments, Report& report) {
     sort_by_severity(report);
+    add_history(report);
     const fs::path out = arguments.work.out;
     if (Status status = write_report(report, out); !status) return bad_input(status.error());
     print_acts(report);
     if (!report_to_annotations(report).empty() && std::getenv("GITHUB_ACTIONS") != nullptr)
         fmt::print("{}", report_to_annotations(report));
     write_step_summary(report);
+    const std::string uncovered = not_reached_text(not_reached(report));
+    if (!arguments.quiet && arguments.only.empty() && report.shard.whole() && !uncovered.empty())
+        print_line("not reached", uncovered);
     fmt::print("{} same, {} failed\n", report.count(GoldenState::same), report.failed());
     if (arguments.timing) print_timing(report, arguments.work.jobs);
     if (report.failed() > 0) {
@@ -252,6 +259,24 @@ int snapshot_merge(const std::vector<std::string>& reports, const CheckArguments
     Result<Report> merged = merge_reports(files, arguments.work.out);
     if (!merged) return bad_input(merged.error());
     return finish(arguments, *merged);
+}
+
+int snapshot_merge_driver(const std::array<std::string, 3>& files, const std::string& name) {
+    std::array<std::string, 3> texts;  // base, ours, theirs
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const Result<std::string> text = read_file(files[i], std::uint64_t{256} << 20U);
+        if (!text) return bad_input(text.error());
+        texts[i] = *text;
+    }
+    const Result<std::string> merged = merge_facts(texts[0], texts[1], texts[2]);
+    if (!merged) {
+        fmt::print(stderr,
+                   "slipface: {}:{}: {}; `slipface snapshot approve` after the merge writes it again\n", name,
+                   merged.error().location, merged.error().message);
+        return cli::exit_check_failed;  // git leaves ours, and names the conflict
+    }
+    if (Status status = write_file_atomic(files[1], *merged); !status) return bad_input(status.error());
+    return cli::exit_fine;
 }
 
 int snapshot_list(const CheckArguments& arguments) {

@@ -1,6 +1,8 @@
 // The verbs of `slipface snapshot`. Each prints what it did and returns the exit code.
 #pragma once
 
+#include <array>
+
 #include "snapshot_verb/worker.h"
 
 namespace slipface {
@@ -30,6 +32,8 @@ int snapshot_render(const CheckArguments& arguments);
 int snapshot_approve(const CheckArguments& arguments);
 int snapshot_list(const CheckArguments& arguments);
 int snapshot_merge(const std::vector<std::string>& reports, const CheckArguments& arguments);
+// Git's merge driver: merges %O, %A and %B into %A; `name` is %P.
+int snapshot_merge_driver(const std::array<std::string, 3>& files, const std::string& name);
 int snapshot_diff(const std::string& expected, const std::string& actual, const std::string& profile,
                   const std::string& image, bool json);
 

@@ -2,19 +2,15 @@
 #include "snapshot_verb/opengl_check.h"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <optional>
 
 #include "cli/exit_codes.h"
+#include "process/process.h"
 #include "slipface/base/files.h"
 #include "slipface/base/temporary_folder.h"
 #include "snapshot_verb/suite_set.h"
-
-extern char** environ;
 
 namespace slipface {
 
@@ -70,22 +66,18 @@ Exam examine(const std::string& gl, const fs::path& folder) {
     const fs::path part = folder / gl;
     std::error_code error;
     fs::create_directories(part, error);
-    std::string self = "slipface", group = "snapshot", verb = "opengl", option = "--part",
-                where = part.string(), gl_option = "--gl", backend = gl;
-    char* const words[] = {self.data(),  group.data(),     verb.data(),    option.data(),
-                           where.data(), gl_option.data(), backend.data(), nullptr};
-    pid_t pid = -1;
-    int status = 0;
     Exam exam;
-    if (::posix_spawn(&pid, "/proc/self/exe", nullptr, nullptr, words, environ) != 0 ||
-        ::waitpid(pid, &status, 0) != pid) {
-        exam.text = "no process can be started for it";
+    const Result<pid_t> process =
+        start_process({.words = {"snapshot", "opengl", "--part", part.string(), "--gl", gl}, .out = 1});
+    if (!process) {
+        exam.text = process.error().text();
         return exam;
     }
+    const int code = wait_for(*process);
     if (const Result<std::string> said = read_file(part / "renderer.txt")) exam.text = *said;
-    if (WIFSIGNALED(status)) exam.text = fmt::format("its process ended by signal {}", WTERMSIG(status));
+    if (code > 128) exam.text = ending_text(code);
     const Result<Image> first = load_image(part / "first.png"), second = load_image(part / "second.png");
-    exam.works = status == 0 && first && second;
+    exam.works = code == 0 && first && second;
     if (exam.works) {
         exam.first = *first;
         exam.second = *second;

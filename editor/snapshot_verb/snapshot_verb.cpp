@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "snapshot_verb/check.h"
+#include "snapshot_verb/history.h"
 #include "snapshot_verb/opengl_check.h"
 #include "snapshot_verb/review.h"
 
@@ -170,6 +172,27 @@ void add_report_verbs(CLI::App& group, int& exit_code) {
     merge_verb->callback([merge, reports, &exit_code] { exit_code = snapshot_merge(*reports, *merge); });
 }
 
+void add_git_verbs(CLI::App& group, int& exit_code) {
+    const Shared history = new_arguments(WorkKind::check);
+    CLI::App* const history_verb = group.add_subcommand("history", "What changed a golden, commit by commit");
+    const auto name = std::make_shared<std::string>();
+    history_verb->add_option("name", *name, "A snapshot, or one of its inputs")->required();
+    history_verb->add_option("--goldens", history->work.suite.goldens, "Folder of the goldens")
+        ->capture_default_str();
+    history_verb->callback(
+        [history, name, &exit_code] { exit_code = snapshot_history(history->work.suite.goldens, *name); });
+
+    const auto files = std::make_shared<std::array<std::string, 3>>();
+    const auto path = std::make_shared<std::string>();
+    CLI::App* const merge_verb =
+        group.add_subcommand("merge-driver", "Merge numbers and facts of two branches: a driver for git");
+    merge_verb->add_option("base", (*files)[0], "%O")->required();
+    merge_verb->add_option("ours", (*files)[1], "%A, which is written")->required();
+    merge_verb->add_option("theirs", (*files)[2], "%B")->required();
+    merge_verb->add_option("path", *path, "%P, for messages")->required();
+    merge_verb->callback([files, path, &exit_code] { exit_code = snapshot_merge_driver(*files, *path); });
+}
+
 void add_diff_verb(CLI::App& group, int& exit_code) {
     struct Files {
         std::string expected, actual, profile = "scene", image;
@@ -237,6 +260,7 @@ void add_snapshot_verb(CLI::App& app, int& exit_code) {
     add_render_verb(*group, exit_code);
     add_approve_verb(*group, exit_code);
     add_report_verbs(*group, exit_code);
+    add_git_verbs(*group, exit_code);
     add_diff_verb(*group, exit_code);
     add_opengl_verb(*group, exit_code);
     add_worker_verb(*group, exit_code);

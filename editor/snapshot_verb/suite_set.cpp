@@ -90,6 +90,10 @@ Result<SuiteSet> load_suite_set(const SuiteArguments& arguments) {
     for (const Scene& scene : set.scenes) {
         set.names.push_back(scene.name);
         set.inputs[scene.name] = scene_inputs(scene, *set.book);
+        if (scene.program) {
+            files.merge(program_inputs(scene, *set.book).files);
+            continue;
+        }
         levels.insert(scene.level);
         if (scene.tape) files.insert(*scene.tape);
     }
@@ -120,18 +124,30 @@ Result<Snapshot> Studio::find(const std::string& name) {
     for (const Snapshot& screen : set_.screens)
         if (screen.name == name) return screen;
     if (is_input(name)) return set_.book->snapshot(name);
-    if (scenes_.empty() && !set_.scenes.empty()) {
+    const auto found = std::find_if(set_.scenes.begin(), set_.scenes.end(),
+                                    [&](const Scene& scene) { return scene.name == name; });
+    if (found == set_.scenes.end()) return Error{name, "no snapshot has this name"};
+    const Scene& scene = *found;
+    if (scene.program)
+        return scene_snapshot(
+            scene, [&] { return runs_.render(scene, *set_.book); }, *set_.book);
+    if (!stage_) {
         Result<std::unique_ptr<OffscreenContext>> context = make_offscreen_context();
         if (!context) return context.error();
         context_ = *std::move(context);
         renderer_ = renderer_line(*context_);
-        stage_ = std::make_shared<SceneStage>(*context_, *set_.book);
-        for (Snapshot& snapshot : scene_snapshots(set_.scenes, stage_, *set_.book))
-            scenes_.emplace(snapshot.name, snapshot);
+        stage_ = std::make_unique<SceneStage>(*context_, *set_.book);
     }
-    const auto found = scenes_.find(name);
-    if (found == scenes_.end()) return Error{name, "no snapshot has this name"};
-    return found->second;
+    return scene_snapshot(
+        scene, [&] { return stage_->render(scene); }, *set_.book);
+}
+
+Coverage Studio::new_coverage() {
+    Coverage news = stage_ ? stage_->coverage() : Coverage();
+    std::erase_if(news.reached, [&](const std::string& word) { return told_.reached.contains(word); });
+    std::erase_if(news.there, [&](const std::string& word) { return told_.there.contains(word); });
+    told_.add(news);
+    return news;
 }
 
 std::string renderer_line(const OffscreenContext& context) {

@@ -12,6 +12,7 @@
 
 #include "goldens/golden.h"
 #include "slipface/render/gl_context.h"
+#include "snapshots/other_programs.h"
 #include "snapshots/scene_stage.h"
 
 namespace slipface {
@@ -43,7 +44,8 @@ bool is_wanted(const std::vector<std::string>& patterns, const std::string& name
 // Reads suites and scripts; makes no context. Errors: a missing folder, an invalid suite.
 Result<SuiteSet> load_suite_set(const SuiteArguments& arguments);
 
-// Makes snapshots by name. All scenes use one context and one copy of each level.
+// Makes snapshots by name. All scenes use one context and one copy of each level, all images of a command one
+// run of it.
 class Studio {
   public:
     explicit Studio(SuiteSet set) : set_(std::move(set)) {}
@@ -51,14 +53,16 @@ class Studio {
     const SuiteSet& set() const { return set_; }
     Result<Snapshot> find(const std::string& name);
     double drawing_s() const { return stage_ ? stage_->drawing_s() : 0.0; }
+    Coverage new_coverage();  // since the last call
     // "OSMesa, llvmpipe (...), 4.5 (Core Profile) Mesa 22.3.6"; empty before the first scene.
     const std::string& renderer() const { return renderer_; }
 
   private:
     SuiteSet set_;
     std::unique_ptr<OffscreenContext> context_;
-    std::shared_ptr<SceneStage> stage_;
-    std::map<std::string, Snapshot> scenes_;
+    std::unique_ptr<SceneStage> stage_;
+    ProgramRuns runs_;
+    Coverage told_;
     std::string renderer_;
 };
 

@@ -3,8 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,9 +14,8 @@
 
 #include "cli/exit_codes.h"
 #include "goldens/report.h"
+#include "process/process.h"
 #include "slipface/base/files.h"
-
-extern char** environ;
 
 namespace slipface {
 
@@ -65,7 +62,7 @@ GoldenResult render_to_folder(const Snapshot& snapshot, const fs::path& out) {
 GoldenResult approve(const Snapshot& snapshot, const WorkArguments& arguments) {
     const Result<Rendering> rendering = snapshot.render();
     if (!rendering) return failed(snapshot.name, rendering.error().text());
-    const bool software = is_input(snapshot.name) || rendering->numbers.empty() ||
+    const bool software = rendering->numbers.find("\"renderer\": {") == std::string::npos ||
                           rendering->numbers.find("llvmpipe") != std::string::npos;
     if (!software && !arguments.any_renderer)
         return failed(snapshot.name,
@@ -103,16 +100,14 @@ struct Worker {
         if (to >= 0) ::close(to);
         if (from >= 0) ::close(from);
         to = from = -1;
-        int status = 0;
-        if (pid <= 0 || ::waitpid(pid, &status, 0) != pid) return "the process has ended";
+        const int code = pid > 0 ? wait_for(pid) : -1;
         pid = -1;
-        if (WIFSIGNALED(status)) return fmt::format("the process ended by signal {}", WTERMSIG(status));
-        return fmt::format("the process ended with code {}", WEXITSTATUS(status));
+        return ending_text(code);
     }
 };
 
 std::vector<std::string> worker_command(const WorkArguments& arguments) {
-    std::vector<std::string> line{"slipface", "snapshot",   "worker", "--kind", kind_name(arguments.kind),
+    std::vector<std::string> line{"snapshot", "worker",     "--kind", kind_name(arguments.kind),
                                   "--out",    arguments.out};
     if (arguments.twice) line.push_back("--twice");
     if (arguments.force) line.push_back("--force");
@@ -132,29 +127,14 @@ Result<Worker> start_worker(const WorkArguments& arguments) {
         ::close(in[1]);
         return Error{"worker", "cannot create a pipe"};
     }
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, in[0], STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
-    std::vector<std::string> line = worker_command(arguments);
-    std::vector<char*> words;
-    for (std::string& word : line)
-        words.push_back(word.data());
-    words.push_back(nullptr);
-    Worker worker;
-    const int failure =
-        ::posix_spawn(&worker.pid, "/proc/self/exe", &actions, nullptr, words.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
+    const Result<pid_t> process =
+        start_process({.words = worker_command(arguments), .in = in[0], .out = out[1]});
     ::close(in[0]);
     ::close(out[1]);
-    worker.to = in[1];
-    worker.from = out[0];
-    if (failure != 0) {
-        worker.pid = -1;
-        worker.end();
-        return Error{"worker", fmt::format("cannot start another process (error {})", failure)};
-    }
-    return worker;
+    Worker worker{.pid = process ? *process : -1, .to = in[1], .from = out[0], .name = {}, .buffer = {}};
+    if (process) return worker;
+    worker.end();
+    return process.error();
 }
 
 // Hands out names until none is left and all workers are idle.
@@ -255,6 +235,7 @@ GoldenResult do_work(Studio& studio, const WorkArguments& arguments, const std::
         result = check_snapshot(*snapshot, arguments.suite.goldens, arguments.out, arguments.twice);
     }
     result.drawing_s = studio.drawing_s() - before;
+    result.coverage = studio.new_coverage();
     return result;
 }
 

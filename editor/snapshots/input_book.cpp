@@ -7,6 +7,7 @@
 #include "goldens/level_facts.h"
 #include "slipface/base/files.h"
 #include "slipface/base/hash.h"
+#include "slipface/base/system.h"
 #include "slipface/base/text.h"
 #include "slipface/level/level_file.h"
 #include "slipface/sim/tape.h"
@@ -23,6 +24,12 @@ constexpr std::string_view level_ending = ".slipface.json";
 
 bool is_tape(const fs::path& file) {
     return file.extension() == ".tape";
+}
+
+bool is_level(const fs::path& file) {
+    const std::string ending = file.extension().string();
+    return file.filename().string().ends_with(level_ending) || ending == ".obj" || ending == ".glb" ||
+           ending == ".gltf";
 }
 
 // A hash of what the files contain, whatever they are called.
@@ -143,6 +150,32 @@ std::string InputBook::add(const fs::path& file) {
     name = std::string(input_folder) + name;
     files_.emplace(name, file);
     return name;
+}
+
+void InputBook::add_named(std::string_view text, const fs::path& folder, Named& named, Numbers& row) {
+    std::error_code error;
+    const std::string_view between =
+        fs::is_regular_file(folder / path_of(text), error) ? "" : " \t\"'=;()<>|&";
+    while (!text.empty()) {
+        const std::string_view word = text.substr(0, text.find_first_of(between));
+        text.remove_prefix(std::min(word.size() + 1, text.size()));
+        const fs::path file = word.empty() ? fs::path() : (folder / path_of(word)).lexically_normal();
+        const fs::file_status status = fs::status(file, error);
+        const std::string name =
+            fs::weakly_canonical(file, error).lexically_relative(project_).generic_string();
+        if (status.type() != fs::file_type::regular || name.starts_with("..")) continue;
+        if (is_tape(file) || is_level(file)) {
+            if (!named.files.contains(file)) named.inputs.push_back(add(file));
+        } else if ((status.permissions() & fs::perms::owner_exec) == fs::perms::none) {
+            const Result<std::string> bytes = read_file(file);
+            Hasher hasher;
+            hasher.text(bytes ? *bytes : std::string());
+            row["files"][name] = hasher.value();
+        } else {
+            continue;
+        }
+        named.files.insert(file);
+    }
 }
 
 std::vector<std::string> InputBook::names() const {

@@ -3,10 +3,13 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "goldens/golden.h"
+#include "goldens/numbers_json.h"
 
 namespace slipface {
 
@@ -18,6 +21,13 @@ class InputBook {
     // "inputs/levels/easy" of levels/easy.obj or its level file, "inputs/levels/run.tape" of a tape,
     // "inputs/demo/step-up-on" of demo:step-up:on.
     std::string add(const std::filesystem::path& file);
+    // The files below `folder` that a text names: levels and tapes are inputs, their names in `inputs`; of
+    // others, but not of those that can be executed, a hash goes into row["files"].
+    struct Named {
+        std::vector<std::string> inputs;
+        std::set<std::filesystem::path> files;  // all of them
+    };
+    void add_named(std::string_view text, const std::filesystem::path& folder, Named& named, Numbers& row);
     std::vector<std::string> names() const;  // ascending
     // The input as it is now. Error: no such name, or its files cannot be read.
     Result<Input> read(const std::string& name);

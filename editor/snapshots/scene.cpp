@@ -8,6 +8,7 @@
 #include "goldens/camera_names.h"
 #include "slipface/scenes/demo.h"
 #include "slipface/view/camera.h"
+#include "snapshots/other_programs.h"
 #include "snapshots/scene_camera.h"
 #include "snapshots/scene_movement.h"
 #include "snapshots/scene_stage.h"
@@ -81,14 +82,18 @@ Numbers row_json(const Scene& scene) {
         if (!scene.probe->settings.empty()) row["probe"]["settings"] = scene.probe->settings;
     }
     if (!scene.settings.empty()) row["settings"] = scene.settings;
-    row["profile"] = scene.tolerance.pixel_delta == ui_tolerance.pixel_delta ? "ui" : "scene";
-    row["masks"] = Numbers::array();
-    for (const MaskRect& mask : scene.masks)
-        row["masks"].push_back(Numbers::array({mask.x, mask.y, mask.width, mask.height}));
+    add_comparison(row, scene);
     return row;
 }
 
 }  // namespace
+
+void add_comparison(Numbers& row, const Scene& scene) {
+    row["profile"] = scene.tolerance.pixel_delta == ui_tolerance.pixel_delta ? "ui" : "scene";
+    row["masks"] = Numbers::array();
+    for (const MaskRect& mask : scene.masks)
+        row["masks"].push_back(Numbers::array({mask.x, mask.y, mask.width, mask.height}));
+}
 
 struct SceneStage::Impl {
     Impl(OffscreenContext& of, InputBook& inputs) : context(of), book(inputs) {}
@@ -148,12 +153,18 @@ Result<Rendering> SceneStage::render(const Scene& scene) {
     if (!camera) return camera.error();
     Result<Image> image = impl_->draw(scene, on_stage, *camera, story->overlay);
     if (!image) return at_scene(scene, "", image.error());
+    const std::vector<std::string> inputs = scene_inputs(scene, impl_->book);
+    const Level& level = on_stage.staged->level;
+    coverage_.add_objects(level);
+    if (!story->numbers.is_null())
+        coverage_.add_run(level, inputs.front().substr(input_folder.size()), story->settings, story->acted,
+                          story->touched);
     Numbers numbers;
     numbers["version"] = numbers_version;
     numbers["row"] = row_json(scene);
     numbers["camera"] = camera_json(scene, *camera);
     if (!story->numbers.is_null()) numbers["movement"] = story->numbers;
-    numbers["inputs"] = Numbers::parse(inputs_json(scene_inputs(scene, impl_->book), impl_->book));
+    numbers["inputs"] = Numbers::parse(inputs_json(inputs, impl_->book));
     numbers["renderer"] = Numbers::parse(renderer_fingerprint(impl_->context));
     return Rendering{*std::move(image), numbers_text(numbers)};
 }
@@ -186,6 +197,16 @@ std::vector<Scene> with_demos(const std::vector<Scene>& scenes) {
 Result<std::vector<Scene>> expand_suite(const std::vector<Scene>& scenes) {
     std::vector<Scene> expanded;
     for (const Scene& scene : with_demos(scenes)) {
+        if (scene.program) {
+            const Result<std::vector<std::string>> frames = frames_of(scene);
+            if (!frames) return frames.error();
+            for (const std::string& frame : *frames) {
+                Scene& one = expanded.emplace_back(scene);
+                one.program->frame = frame;
+                if (!frame.empty()) one.name += "/" + frame;
+            }
+            continue;
+        }
         if (scene.cameras.empty()) {
             expanded.push_back(scene);
             continue;
@@ -225,6 +246,7 @@ Result<std::vector<Scene>> expand_suite(const std::vector<Scene>& scenes) {
 }
 
 std::vector<std::string> scene_inputs(const Scene& scene, InputBook& book) {
+    if (scene.program) return program_inputs(scene, book).inputs;
     std::vector<std::string> inputs{book.add(scene.level)};
     if (scene.tape) inputs.push_back(book.add(*scene.tape));
     return inputs;
@@ -239,17 +261,12 @@ std::string inputs_json(const std::vector<std::string>& inputs, InputBook& book)
     return json.dump();
 }
 
-std::vector<Snapshot> scene_snapshots(const std::vector<Scene>& scenes,
-                                      const std::shared_ptr<SceneStage>& stage, InputBook& book) {
-    std::vector<Snapshot> snapshots;
-    for (const Scene& scene : scenes) {
-        Snapshot snapshot{scene.name, scene.tolerance, [scene, stage] { return stage->render(scene); }};
-        snapshot.masks = scene.masks;
-        snapshot.inputs = scene_inputs(scene, book);
-        snapshot.input = [&book](const std::string& name) { return book.read(name); };
-        snapshots.push_back(std::move(snapshot));
-    }
-    return snapshots;
+Snapshot scene_snapshot(const Scene& scene, std::function<Result<Rendering>()> render, InputBook& book) {
+    Snapshot snapshot{scene.name, scene.tolerance, std::move(render)};
+    snapshot.masks = scene.masks;
+    snapshot.inputs = scene_inputs(scene, book);
+    snapshot.input = [&book](const std::string& name) { return book.read(name); };
+    return snapshot;
 }
 
 std::string renderer_fingerprint(const OffscreenContext& context) {

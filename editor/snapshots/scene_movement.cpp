@@ -43,6 +43,21 @@ Numbers contact_json(const SweepRecord& sweep, const Level& level) {
     return json;
 }
 
+// Keeps which decisions and types there were, and no record.
+class Watcher final : public TraceSink {
+  public:
+    explicit Watcher(SceneMovement& story) : story_(story) {}
+    void add(const TraceRecord& record) override {
+        if (const auto* const decision = std::get_if<DecisionRecord>(&record))
+            story_.acted.insert(decision->kind);
+        if (const auto* const sweep = std::get_if<SweepRecord>(&record); sweep && sweep->contact)
+            story_.touched.insert(sweep->contact->surface);
+    }
+
+  private:
+    SceneMovement& story_;
+};
+
 Status run_probe(const Scene& scene, const StagedLevel& staged, SceneMovement& story) {
     MovementSettings& settings = story.settings;
     if (Status status = apply_all(settings, scene.probe->settings, scene, "/probe/settings"); !status)
@@ -54,7 +69,9 @@ Status run_probe(const Scene& scene, const StagedLevel& staged, SceneMovement& s
         slide_move({staged.collision, staged.level.surfaces}, settings, from, scene.probe->move, &trace);
     draw_trace(story.overlay, trace.records, settings.radii);
     Numbers contacts = Numbers::array();
+    Watcher watcher(story);
     for (const TraceRecord& record : trace.records) {
+        watcher.add(record);
         const auto* sweep = std::get_if<SweepRecord>(&record);
         if (sweep != nullptr && sweep->contact) contacts.push_back(contact_json(*sweep, staged.level));
     }
@@ -125,8 +142,9 @@ Status run_tape(const Scene& scene, const StagedLevel& staged, SceneMovement& st
         story.start = start->position;
     }
     const TickScene ticks(*level_scene);
+    Watcher watcher(story);
     SimulationReport report =
-        simulate(ticks, story.settings, story.start, story.tape, {.keep_states = true, .trace = nullptr});
+        simulate(ticks, story.settings, story.start, story.tape, {.keep_states = true, .trace = &watcher});
     story.states = std::move(report.states);
     for (PlayerState& state : story.states)
         state.position = ticks.to_level(state);

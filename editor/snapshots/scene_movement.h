@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "goldens/numbers_json.h"
 #include "goldens/suite.h"
+#include "slipface/movement/decision.h"
 #include "slipface/render/overlay.h"
 #include "slipface/sim/simulate.h"
 #include "snapshots/staged_level.h"
@@ -16,6 +18,8 @@ struct SceneMovement {
     Overlay overlay;
     Numbers numbers;            // the "movement" section; null when nothing moves
     MovementSettings settings;  // of the tape, or of the probe
+    std::set<Decision> acted;   // what they decided
+    std::set<SurfaceId> touched;
 
     std::vector<TraceRecord> probe;
     Tape tape;

@@ -66,6 +66,7 @@ TEST_F(SnapshotVerb, FromNothingToApprovedToChanged) {
     EXPECT_NE(same.output.find("5 same, 0 failed"), std::string::npos) << same.output;
 
     // A higher wall is named, and the report is there.
+    EXPECT_EQ(same.output.find("not reached"), std::string::npos);  // nothing runs here
     folder_.write("room.obj", room(2.25));
     const ProgramRun changed = check("--jobs 1");
     EXPECT_EQ(changed.exit_code, 1) << changed.output;
@@ -144,6 +145,69 @@ TEST_F(SnapshotVerb, ShardsComeTogether) {
     text.replace(text.find("\"same\""), 6, "\"lost\"");
     folder_.write("part2/report.json", text);
     EXPECT_EQ(merge(first + " " + second).exit_code, 2);
+}
+
+// What changed a golden, commit by commit, and two branches that changed neighbouring members of its facts.
+TEST_F(SnapshotVerb, HistoryAndMergesInGit) {
+    const auto git = [&](const std::string& words) {
+        return run_program("-C " + (folder_ / "").string() +
+                               " -c user.name=a -c user.email=a@b -c core.hooksPath=/dev/null " + words,
+                           60, "git");
+    };
+    const auto commit = [&](const std::string& subject) {
+        ASSERT_EQ(git("add -A").exit_code, 0);
+        const ProgramRun run = git("commit -m '" + subject + "'");
+        ASSERT_EQ(run.exit_code, 0) << run.output;
+    };
+    ASSERT_EQ(git("init -b main").exit_code, 0);
+    folder_.write(".gitattributes", "goldens/**/*.json merge=snapshot\n");
+    git(std::string("config merge.snapshot.driver '") + SLIPFACE_PROGRAM +
+        " snapshot merge-driver %O %A %B %P'");
+    ASSERT_EQ(snapshot("approve --jobs 1").exit_code, 0);
+    commit("Begin");
+    folder_.write("room.obj", room(2.25));
+    ASSERT_EQ(snapshot("approve --jobs 1").exit_code, 0);
+    commit("Raise the wall");
+    const ProgramRun history = snapshot("history a");
+    EXPECT_EQ(history.exit_code, 0);
+    for (const char* text :
+         {" Raise the wall\n", "level: 2 vertices of `wall` moved by up to 0.25 m (room); ", " pixels\n",
+          " Begin\n", "it was approved first"})
+        EXPECT_NE(history.output.find(text), std::string::npos) << history.output;
+    EXPECT_NE(snapshot("history inputs/room").output.find("2 vertices of `wall`"), std::string::npos);
+    EXPECT_EQ(snapshot("history nothing").exit_code, 2);
+
+    // The page has the commits of what differs.
+    folder_.write("room.obj", room(2.5));
+    EXPECT_EQ(check("--jobs 1").exit_code, 1);
+    std::ifstream file(folder_ / "out/report.html");
+    const std::string page((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_NE(page.find(" Raise the wall\""), std::string::npos);
+    folder_.write("room.obj", room(2.25));
+
+    const auto facts = [&](const char* one, const char* two) {
+        folder_.write("goldens/inputs/x.json",
+                      std::string("{\n  \"one\": ") + one + ",\n  \"two\": " + two + "\n}\n");
+    };
+    facts("1", "1");
+    commit("Facts");
+    git("checkout -b branch");
+    facts("1", "2");
+    commit("Two");
+    git("checkout main");
+    facts("2", "1");
+    commit("One");
+    const ProgramRun merge = git("merge branch -m both");
+    EXPECT_EQ(merge.exit_code, 0) << merge.output;
+    std::ifstream merged(folder_ / "goldens/inputs/x.json");
+    EXPECT_EQ(nlohmann::json::parse(merged), nlohmann::json({{"one", 2}, {"two", 2}}));
+    git("checkout branch");
+    facts("3", "2");
+    commit("One, otherwise");
+    const ProgramRun both = git("merge main -m both");
+    EXPECT_EQ(both.exit_code, 1);
+    EXPECT_NE(both.output.find("goldens/inputs/x.json:/one: both sides changed it"), std::string::npos)
+        << both.output;
 }
 
 TEST_F(SnapshotVerb, EveryFailureHasItsCode) {

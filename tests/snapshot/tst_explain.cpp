@@ -61,7 +61,9 @@ class ExplainTest : public testing::Test {
             folder_ / "scenes.json");
         EXPECT_TRUE(scenes.ok()) << scenes.error().text();
         book_ = std::make_unique<InputBook>(folder_);
-        return scene_snapshots(*scenes, std::make_shared<SceneStage>(*context_, *book_), *book_).front();
+        const auto stage = std::make_shared<SceneStage>(*context_, *book_);
+        return scene_snapshot(
+            scenes->front(), [stage, scene = scenes->front()] { return stage->render(scene); }, *book_);
     }
     void approve(const std::string& more) {
         const Snapshot now = snapshot(more);

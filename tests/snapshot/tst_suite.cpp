@@ -213,10 +213,11 @@ TEST_F(SceneTest, SnapshotsRenderTheScenesTwiceAlike) {
         folder_ / "scenes.json");
     ASSERT_TRUE(scenes.ok()) << scenes.error().text();
     InputBook book(folder_);
-    const auto snapshots = scene_snapshots(*scenes, std::make_shared<SceneStage>(*context_, book), book);
-    ASSERT_EQ(snapshots.size(), 2U);
-    EXPECT_EQ(snapshots[1].name, "b");
-    for (const Snapshot& snapshot : snapshots) {
+    SceneStage stage(*context_, book);
+    for (const Scene& scene : *scenes) {
+        const Snapshot snapshot = scene_snapshot(
+            scene, [&] { return stage.render(scene); }, book);
+        EXPECT_EQ(snapshot.name, scene.name);
         const GoldenResult result = check_snapshot(snapshot, folder_ / "goldens", folder_ / "out", true);
         EXPECT_EQ(result.state, GoldenState::missing) << result.message;
     }
@@ -246,6 +247,30 @@ TEST_F(SceneTest, CamerasAreExpanded) {
     EXPECT_EQ(names, (std::vector<std::string>{"a@iso-1", "a@iso-2", "a@iso-3", "a@iso-4", "a@map", "a@top",
                                                "a@turntable-1", "a@turntable-2", "a@turntable-3", "a@tape-1",
                                                "a@tape-2", "a@contact-1"}));
+}
+
+// What no run reaches is named, and is gone from the list with the row that reaches it.
+TEST_F(SceneTest, CoverageIsWhatTheRunsReach) {
+    InputBook book(folder_);
+    SceneStage stage(*context_, book);
+    const auto missing = [&](const std::string& row, const std::string& word) {
+        const auto scenes = parse_scene_suite(suite_of(row), folder_ / "scenes.json");
+        EXPECT_TRUE(scenes.ok()) << scenes.error().text();
+        EXPECT_TRUE(stage.render(scenes->front()).ok());
+        const std::vector<std::string> words = not_reached(stage.coverage());
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    const auto demo = [](const char* name) {
+        return fmt::format(R"({{"name": "a", "level": "demo:{}:on", "size": [32, 32]}})", name);
+    };
+    const char* const still = R"({"name": "a", "level": "room.obj", "size": [32, 32]})";
+    EXPECT_TRUE(missing(still, "setting coyote"));
+    EXPECT_TRUE(missing(still, "object platform"));
+    EXPECT_TRUE(missing(demo("step-up"), "setting coyote"));
+    EXPECT_FALSE(missing(still, "setting step_up"));
+    EXPECT_FALSE(missing(demo("coyote"), "setting coyote"));
+    EXPECT_TRUE(missing(still, "surface restitution"));
+    EXPECT_FALSE(missing(demo("bounce"), "surface restitution"));
 }
 
 TEST(SceneSuite, EveryDemoHasItsPair) {

@@ -1,19 +1,15 @@
 #include "tools/review/review.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "goldens/suite.h"
+#include "process/process.h"
 #include "slipface/base/files.h"
 #include "tools/editor.h"
-
-extern char** environ;
 
 namespace slipface {
 namespace {
@@ -78,27 +74,14 @@ void load_images(Review& review) {
 // Runs the verb of this program, or of the installed one, in its own process: a snapshot's context cannot
 // exist in the process of a window.
 Status approve_by_program(const Review& review, const std::vector<std::string>& which) {
-    std::vector<std::string> words{
-        "slipface",  "snapshot",           "approve", "--from", review.report_file.string(),
-        "--goldens", review.report.goldens};
-    words.insert(words.end(), which.begin(), which.end());
-    std::vector<char*> arguments;
-    for (std::string& word : words)
-        arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t quiet;
-    posix_spawn_file_actions_init(&quiet);
-    posix_spawn_file_actions_addopen(&quiet, 1, "/dev/null", O_WRONLY, 0);
-    pid_t pid = -1;
+    ProcessStart approve{.words = {"snapshot", "approve", "--from", review.report_file.string(), "--goldens",
+                                   review.report.goldens}};
+    approve.words.insert(approve.words.end(), which.begin(), which.end());
     std::error_code error;
-    const bool self = fs::read_symlink("/proc/self/exe", error).filename() == "slipface";
-    const int failure = ::posix_spawnp(&pid, self ? "/proc/self/exe" : "slipface", &quiet, nullptr,
-                                       arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&quiet);
-    int status = 0;
-    if (failure != 0 || ::waitpid(pid, &status, 0) != pid)
-        return Error{"approve", "no process can be started for it"};
-    if (status != 0)
+    if (fs::read_symlink("/proc/self/exe", error).filename() != "slipface") approve.program = "slipface";
+    const Result<pid_t> process = start_process(approve);
+    if (!process) return process.error();
+    if (wait_for(*process) != 0)
         return Error{review.entry()->name,
                      "could not be approved; in a terminal, `slipface snapshot approve --from " +
                          review.report_file.generic_string() + " " + which.back() + "` says why"};
