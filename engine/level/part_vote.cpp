@@ -200,13 +200,13 @@ void MotionFinder::doubt(std::size_t i) {
     const bool few = !stays && stored_.parts[i].anchors.size() < few_anchors;
     const double best_ranks = ranks(i, part.best);
     const Aabb& box = stored_.parts[i].box;
-    const auto other = std::find_if(part.others.begin(), part.others.end(), [&](const Rated& other) {
+    const auto rival = std::find_if(part.others.begin(), part.others.end(), [&](const Rated& other) {
         return other.sum >= part.best_support.sum() - as_much &&
                (few || other.ranks >= best_ranks - same_order) && !same(box, other.motion, part.best) &&
                types_.differ(i, part.best, other.motion);
     });
-    const bool unclear = other != part.others.end();
-    if (unclear) part.rival = other->motion;
+    const bool unclear = rival != part.others.end();
+    if (unclear) part.rival = rival->motion;
     // A few faces of which some were deleted also look like a whole piece elsewhere. What only they did is a
     // question if the motion of others explains some of them, too.
     const bool alone =

@@ -28,8 +28,8 @@ void import_run(Editor& editor, const std::filesystem::path& path) {
         return refuse(status.error());
     editor.imported = {.name = name, .run = std::make_shared<const RecordedRun>(std::move(*run))};
     editor.lab.runs().front().name = "Slipface";
-    for (LabRun& run : std::span(editor.lab.runs()).subspan(1))
-        run.shown = false;
+    for (LabRun& other : std::span(editor.lab.runs()).subspan(1))
+        other.shown = false;
     complete_runs(editor);
     show_lab(editor);
     editor.status = "Imported " + name + ": its path, and Slipface's mover with its inputs";
