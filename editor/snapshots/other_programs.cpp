@@ -125,14 +125,11 @@ Result<fs::path> ProgramRuns::folder_with(const Scene& scene) {
         if (run != runs_.end()) runs_.erase(run);
         Result<TemporaryFolder> folder = TemporaryFolder::make();
         if (!folder) return folder.error();
-        run = runs_.emplace(key, Run{*std::move(folder), {}}).first;
-        if (Status status = run_command(program, run->second.folder.path(), scene.location + "/command");
-            !status) {
-            runs_.erase(run);
-            return status.error();
-        }
+        run = runs_.emplace(key, Run{*std::move(folder), {}, {}}).first;
+        run->second.status = run_command(program, run->second.folder.path(), scene.location + "/command");
     }
     run->second.taken.insert(program.frame);
+    if (!run->second.status) return run->second.status.error();
     return run->second.folder.path() / "frames";
 }
 

@@ -28,6 +28,7 @@ class ProgramRuns {
     struct Run {
         TemporaryFolder folder;
         std::set<std::string> taken;
+        Status status;  // all frames of a command that fails wait for it once
     };
     std::map<std::pair<std::filesystem::path, std::string>, Run> runs_;  // by folder and command
 
