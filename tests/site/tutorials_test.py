@@ -7,7 +7,7 @@ usage: tutorials_test.py PROGRAM SOURCE SCRATCH [BUILD]
 
 In a page, a block after a sentence with "Save this as `NAME`" (or "Save it as") is a file; a block of `sh` is run in the page's folder, as
 one script, and has to end with 0; a block of `text` right after it lists lines of its output, in this order, where … stands for anything.
-Blocks of `cpp` that are no file are parts of tests/adding/hack.txt, and blocks without a language are formulas. With
+Blocks of `cpp` that are no file are parts of tests/adding/hack.txt, and blocks without a language are formulas of docs/settings.md. With
 BUILD, a finished build, the pages that need an installed engine run as well: it is installed into SCRATCH."""
 import os, pathlib, re, shutil, subprocess, sys
 
@@ -60,7 +60,8 @@ def check(page, environment):
             if line := missing_line(text, output):
                 failures.append(f"{page.name}: the line\n{line}\ndoes not come out, or not in its place, of\n{output}")
         elif not language:
-            continue  # a formula
+            if f"`{text.strip()}`" not in formulas:
+                failures.append(f"{page.name}: docs/settings.md has not the formula\n{text}")
         elif language == "cpp":
             hack = (source / "tests/adding/hack.txt").read_text()
             if text not in hack:
@@ -70,6 +71,7 @@ def check(page, environment):
     return scripts
 
 
+formulas = (source / "docs/settings.md").read_text()
 shutil.rmtree(scratch, ignore_errors=True)
 scratch.mkdir(parents=True)
 (scratch / "bin").mkdir()
