@@ -39,6 +39,8 @@ CHECKS = (
     Check("debian-testing", "scripts/check_bare.sh testing", 30, BARE, "the same on Debian testing"),
     Check("debian-12-user", "scripts/check_bare.sh bookworm --user", 30, BARE, "the same on Debian 12, as a user with sudo"),
     Check("page", "scripts/check_web.sh", 25, ("web", "stand_ins", "scripts/build_web.sh", "docs/site"), "the editor as a page, used in Chromium"),
+    Check("npm", "scripts/build_npm.sh --test", 8, ("npm", "web", "docs/tutorials/mover-in-a-browser.md"),
+          "the npm package: its tests in node, its size, its tutorial word for word"),
     Check("packages", "scripts/check_packages.sh", 20, ("debian", "scripts/bare_system.sh", "examples", "tests/consumer"),
           "the Debian packages: built in one bare system, used in another"),
     Check("windows", "scripts/check_windows.sh", 60, ("cmake/windows.cmake", "stand_ins", "scripts/compare_windows.sh"),

@@ -66,6 +66,7 @@ def on_files(files, config):
         folder = posixpath.dirname(file.src_path)
         for image in re.findall(r"\]\(([^)\s#]+)", (pages / file.src_path).read_text()):
             wanted.add(posixpath.normpath(posixpath.join(folder, image)))
+    wanted |= {path.replace(".webm", ".jpg") for path in wanted if path.endswith(".webm")}  # shown until the film begins
     for file in list(files):
         if not (file.is_documentation_page() or file.src_path in wanted or file.src_path.startswith("assets/")):
             files.remove(file)
@@ -120,6 +121,9 @@ def on_page_content(content, page, config, files):
     content = re.sub(r"<code>[^<]*</code>", lambda m: m[0].replace("\\|", "|"), content)
     # Several numbers in a cell stand in columns of their own.
     content = re.sub(r'<td style="text-align: right;">(?=[^<]*\S  )', '<td class="columns" style="text-align: right;">', content)
+    # A link to a film has the film above it.
+    content = re.sub(r'(<p>(?:(?!</p>).)*?<a href="([^"]+)\.webm">)',
+                     r'<video class="film" controls muted loop preload="none" poster="\2.jpg" src="\2.webm"></video>\n\1', content, flags=re.S)
     if page.file.src_path == "docs/symptoms.md":
         content = f'<div class="symptoms">{content}</div>'
     # A page named in running text: docs/sweep.md.

@@ -10,6 +10,7 @@
 
 #include "panels/property_rows.h"
 #include "slipface/scenes/demo.h"
+#include "slipface/sim/formula.h"
 #include "tools/commands/icons.h"
 #include "tools/lab/lab_actions.h"
 #include "widgets/imgui_compat.h"
@@ -56,10 +57,26 @@ void effect_rows(Editor& editor, const SettingInfo& info) {
     }
 }
 
+// What a hack did in a tick: the numbers of its formula, and the sentence of the story.
+struct Explained {
+    std::size_t tick = 0;
+    std::vector<FormulaNumber> numbers;
+    std::string sentence;
+};
+std::optional<Explained> explain(const SettingInfo& info, const TickTrace& trace, const StoryNames& names) {
+    Explained explained{trace.tick, formula_numbers(info.name, trace, names), {}};
+    if (explained.numbers.empty()) return std::nullopt;
+    for (const StoryLine& line : describe(trace, names))
+        if (line.hack == &info && line.tone != StoryTone::refused && explained.sentence.empty())
+            explained.sentence = line.text;
+    return explained;
+}
+
 // A demo with both of its runs, built when its card is opened for the first time.
 struct BuiltDemo {
     Demo demo;
     TapeRun runs[2];  // off, on
+    std::optional<Explained> explained = std::nullopt;
 };
 const BuiltDemo& built_demo(const DemoInfo& info) {
     static std::map<std::string_view, std::unique_ptr<BuiltDemo>> built;
@@ -73,7 +90,12 @@ const BuiltDemo& built_demo(const DemoInfo& info) {
     for (std::size_t i = 0; i < 2; ++i) {
         Result<LevelScene> scene =
             LevelScene::build(entry->demo.level, i == 0 ? entry->demo.off : entry->demo.on);
-        if (scene) entry->runs[i].advance(*scene, TapeRun::max_ticks);
+        if (!scene) continue;
+        const TickScene ticks(*scene);
+        entry->runs[i].advance(ticks, TapeRun::max_ticks);
+        if (i == 0) continue;
+        if (const std::optional<TickTrace> trace = telling_tick(entry->runs[i], ticks, info.hack))
+            entry->explained = explain(*find_setting(info.hack), *trace, StoryNames(entry->demo.level));
     }
     return *entry;
 }
@@ -106,6 +128,32 @@ ImageRequest demo_image(const DemoInfo& info, bool on) {
         request.overlay.ellipsoid(sample.position, radii, fill, outline);
     }
     return request;
+}
+
+// The formula and what its symbols are: in the tick at the cursor where the hack acts there, else in the
+// demo's.
+void formula_rows(Editor& editor, const SettingInfo& info, const DemoInfo* demo) {
+    const FormulaInfo* formula = find_formula(info.name);
+    if (formula == nullptr) return;
+    ImGui::Spacing();
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextColored(ui::palette().accent, "%s", formula->text);
+    ImGui::PopTextWrapPos();
+    std::optional<Explained> explained;
+    if (live_run(editor) != nullptr && editor.lab.ticks() > 0 && editor.lab.complete())
+        explained = explain(info, editor.lab.trace(*editor.document), StoryNames(editor.document->level()));
+    const bool live = explained.has_value();
+    if (!live && demo != nullptr) explained = built_demo(*demo).explained;
+    if (!explained) return;
+    for (const FormulaNumber& number : explained->numbers) {
+        const std::string text = number.symbol + " = " + number.text;
+        if (&number != &explained->numbers.front())
+            ui::flow(ImGui::CalcTextSize(text.c_str()).x, 1.2f * ImGui::GetFontSize());
+        ImGui::TextUnformatted(text.c_str());
+    }
+    ui::muted_text(fmt::format("{} tick {}{}{}", live ? "At the cursor," : "In the demo,", explained->tick,
+                               explained->sentence.empty() ? "" : ": ", explained->sentence)
+                       .c_str());
 }
 
 void images(Editor& editor, FrameContext& frame, const DemoInfo& info) {
@@ -142,6 +190,55 @@ void images(Editor& editor, FrameContext& frame, const DemoInfo& info) {
     }
 }
 
+// The hacks that have demos, in the order of the lecture.
+const std::vector<const DemoInfo*>& card_order() {
+    static const std::vector<const DemoInfo*> order = [] {
+        std::vector<const DemoInfo*> all;
+        for (const DemoInfo& info : demo_table())
+            if (std::none_of(all.begin(), all.end(), [&](const DemoInfo* other) {
+                    return std::string_view(other->hack) == info.hack;
+                }))
+                all.push_back(&info);
+        return all;
+    }();
+    return order;
+}
+
+// The card to show next.
+int order_buttons(int shown) {
+    const std::vector<const DemoInfo*>& order = card_order();
+    const int last = static_cast<int>(order.size()) - 1;
+    const auto title = [&](int i) { return find_setting(order[static_cast<std::size_t>(i)]->hack)->label; };
+    ImGui::Spacing();
+    ImGui::Separator();
+    int next = shown;
+    if (ui::button("Previous", shown > 0 ? title(shown - 1) : nullptr, shown > 0)) next = shown - 1;
+    ImGui::SameLine();
+    if (ui::button("Next", shown < last ? title(shown + 1) : nullptr, shown < last)) next = shown + 1;
+    ImGui::SameLine();
+    const std::string where = fmt::format("{} of {}{}{}", shown + 1, last + 1, shown < last ? ", next: " : "",
+                                          shown < last ? title(shown + 1) : "");
+    ImGui::TextColored(ui::palette().muted, "%s", where.c_str());
+    return next;
+}
+
+void card(Editor& editor, FrameContext& frame, const SettingInfo& info, const DemoInfo* demo) {
+    ui::heading(info.label);
+    const FormulaInfo* formula = find_formula(info.name);
+    if (formula != nullptr && *formula->lecture != '\0')
+        ui::muted_text(fmt::format("The lecture: {}", formula->lecture).c_str());
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(meaning_of(info).c_str());
+    ImGui::PopTextWrapPos();
+    formula_rows(editor, info, demo);
+    if (demo != nullptr) {
+        ImGui::Spacing();
+        images(editor, frame, *demo);
+    }
+    ImGui::Spacing();
+    effect_rows(editor, info);
+}
+
 }  // namespace
 
 void hack_cell(Editor& editor, FrameContext& frame, const SettingInfo& info) {
@@ -169,19 +266,18 @@ void hack_cell(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     ui::tooltip("What it does, and where it acted");
     ImGui::SetNextWindowSize({30.0f * em, 0.0f});
     if (!ImGui::BeginPopup("card")) return;
-    const ui::Scope card("Card");
-    ui::heading(info.label);
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(meaning_of(info).c_str());
-    ImGui::PopTextWrapPos();
-    for (const DemoInfo& demo : demo_table()) {
-        if (std::string_view(demo.hack) != info.name) continue;
-        ImGui::Spacing();
-        images(editor, frame, demo);
-        break;
-    }
-    ImGui::Spacing();
-    effect_rows(editor, info);
+    const ui::Scope in_card("Card");
+    // "Next" turns the card to another hack, until it is closed.
+    int& turned_to = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("turned to"), -1);
+    if (ImGui::IsWindowAppearing()) turned_to = -1;
+    const std::vector<const DemoInfo*>& order = card_order();
+    const auto own = std::find_if(order.begin(), order.end(), [&](const DemoInfo* demo) {
+        return info.name == std::string_view(demo->hack);
+    });
+    if (turned_to < 0 && own != order.end()) turned_to = static_cast<int>(own - order.begin());
+    const DemoInfo* demo = turned_to < 0 ? nullptr : order[static_cast<std::size_t>(turned_to)];
+    card(editor, frame, demo == nullptr ? info : *find_setting(demo->hack), demo);
+    if (demo != nullptr) turned_to = order_buttons(turned_to);
     ui::end(ImGui::EndPopup);
 }
 

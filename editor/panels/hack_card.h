@@ -5,8 +5,8 @@
 
 namespace slipface {
 
-// "214 of 600" and a button that opens the card: what the hack does, where it acted, its two images, its
-// demo.
+// "214 of 600" and a button that opens the card: what the hack does, its formula with the numbers of a tick,
+// its two images, its demo, where it acted, and the card after it.
 void hack_cell(Editor& editor, FrameContext& frame, const SettingInfo& info);
 
 }  // namespace slipface

@@ -21,10 +21,25 @@ const auto table = std::to_array<SettingInfo>({
 #include "slipface/movement/setting_rows.inc"
 });
 
+constexpr auto formulas = std::to_array<FormulaInfo>({
+#define SLIPFACE_FORMULA(...) {__VA_ARGS__},
+#include "slipface/movement/setting_rows.inc"
+});
+
 }  // namespace
 
 std::span<const SettingInfo> settings_table() {
     return table;
+}
+
+std::span<const FormulaInfo> formula_table() {
+    return formulas;
+}
+
+const FormulaInfo* find_formula(std::string_view hack) {
+    for (const FormulaInfo& info : formulas)
+        if (info.hack == hack) return &info;
+    return nullptr;
 }
 
 }  // namespace slipface

@@ -133,6 +133,15 @@ TEST_F(DemoScenes, WhatWasSavedOverADemoStays) {
     EXPECT_EQ(folders, 3u) << "nothing half made is left behind";
 }
 
+TEST_F(DemoScenes, CardsLeadFromOneToTheNext) {
+    const std::string card = "Movement/Static friction/";
+    ASSERT_EQ(run("only movement 350\nclick \"" + card + "About\"\nexpect enabled \"" + card +
+                  "Card/Previous\" no\nclick \"" + card + "Card/Next\"\nclick \"" + card +
+                  "Card/Next\"\nclick \"" + card + "Card/Previous\"\nclick \"" + card + "Card/Open demo\""),
+              "");
+    EXPECT_EQ(shown_level(), demo_table()[1].name);
+}
+
 TEST_F(DemoScenes, WhereNoFilesCanBeWrittenTheLevelStays) {
     write_text(folder / "file", "");
     setenv("TMPDIR", (folder / "file").c_str(), 1);

@@ -3,15 +3,17 @@
 that comes out has to come out.
 
 usage: tutorials_test.py PROGRAM SOURCE SCRATCH [BUILD]
+       tutorials_test.py PACKAGE.tgz SOURCE SCRATCH       the pages that install the npm package, and these alone
 
 In a page, a block after a sentence with "Save this as `NAME`" (or "Save it as") is a file; a block of `sh` is run in the page's folder, as
 one script, and has to end with 0; a block of `text` right after it lists lines of its output, in this order, where … stands for anything.
-Blocks of `cpp` that are no file are parts of tests/adding/hack.txt, and blocks without a language are formulas. With BUILD, a finished build, the pages that need an installed
-engine run as well: it is installed into SCRATCH."""
+Blocks of `cpp` that are no file are parts of tests/adding/hack.txt, and blocks without a language are formulas of docs/settings.md. With
+BUILD, a finished build, the pages that need an installed engine run as well: it is installed into SCRATCH."""
 import os, pathlib, re, shutil, subprocess, sys
 
 program, source, scratch = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 build = pathlib.Path(sys.argv[4]).resolve() if len(sys.argv) > 4 else None
+package = program if program.suffix == ".tgz" else None
 failures = []
 
 
@@ -58,7 +60,8 @@ def check(page, environment):
             if line := missing_line(text, output):
                 failures.append(f"{page.name}: the line\n{line}\ndoes not come out, or not in its place, of\n{output}")
         elif not language:
-            continue  # a formula
+            if f"`{text.strip()}`" not in formulas:
+                failures.append(f"{page.name}: docs/settings.md has not the formula\n{text}")
         elif language == "cpp":
             hack = (source / "tests/adding/hack.txt").read_text()
             if text not in hack:
@@ -68,12 +71,15 @@ def check(page, environment):
     return scripts
 
 
+formulas = (source / "docs/settings.md").read_text()
 shutil.rmtree(scratch, ignore_errors=True)
 scratch.mkdir(parents=True)
 (scratch / "bin").mkdir()
 (scratch / "bin/python3").symlink_to(sys.executable)
 environment = dict(os.environ, PATH=f"{scratch / 'bin'}:{program.parent}:{os.environ['PATH']}", XDG_STATE_HOME=str(scratch / "state"),
                    XDG_CONFIG_HOME=str(scratch / "config"))
+if package:
+    environment["SLIPFACE_NPM"] = str(package)
 if build:
     prefix = scratch / "prefix"
     subprocess.run(["cmake", "--install", build, "--prefix", prefix], check=True, stdout=subprocess.DEVNULL)
@@ -83,15 +89,16 @@ if build:
                     "PYTHONPATH": ":".join(modules)}
 total = 0
 for page in sorted((source / "docs/tutorials").glob("*.md")):
-    needs_engine = "pkg-config" in page.read_text()
-    if needs_engine and not build:
-        print(f"{page.name} is left out: it needs an installed engine")
+    needs = "npm package" if "npm install" in page.read_text() else "installed engine" if "pkg-config" in page.read_text() else ""
+    if needs == "npm package" and not package or needs == "installed engine" and not build or package and needs != "npm package":
+        if needs:
+            print(f"{page.name} is left out: it needs the {needs}")
         continue
     scripts = check(page, environment)
     total += scripts
     print(f"{page.name}: {scripts} scripts")
 for failure in failures:
     print(f"\nFAILED {failure}")
-if total < 10:
-    sys.exit(f"found {total} scripts in docs/tutorials, expected 10 or more")
+if total < (3 if package else 10):
+    sys.exit(f"found {total} scripts in docs/tutorials, expected more")
 sys.exit(1 if failures else 0)

@@ -52,6 +52,17 @@ std::string settings_markdown() {
                               info.too_small, info.too_large});
     }
     text +=
+        "\n## Formulas\n\nThe cards of the hacks show these with the numbers of a tick (the question mark "
+        "beside a "
+        "setting). `V` is the displacement or the velocity, `N` the normal of the face, `E` the position, "
+        "`dt` the "
+        "tick, `e` the restitution; `'` is after the step.\n\n";
+    for (const FormulaInfo& info : formula_table()) {
+        const std::string lecture =
+            *info.lecture == '\0' ? "" : fmt::format(" (the lecture: {})", info.lecture);
+        text += fmt::format("- {}{}: `{}`\n", find_setting(info.hack)->label, lecture, info.text);
+    }
+    text +=
         "\n## Buttons\n\nTapes, scripts and Python use the names; the keys, by their place on a US keyboard, "
         "and "
         "those of a gamepad hold them in a playtest. A tape keeps the names of others.\n\n" +

@@ -229,6 +229,16 @@ std::span<const Choice> choices_of(const SettingInfo& info);
 // With the meaning of each choice.
 std::string meaning_of(const SettingInfo& info);
 
+// How a hack computes, from setting_rows.inc. slipface/sim/formula.h has its numbers in a tick.
+struct FormulaInfo {
+    const char* hack;     // the setting's name
+    const char* lecture;  // the lecture's name for it, or empty
+    const char* text;
+};
+std::span<const FormulaInfo> formula_table();
+// Null for a setting without one.
+const FormulaInfo* find_formula(std::string_view hack);
+
 // Every switch on, or every switch off.
 void set_switches(MovementSettings& settings, bool on);
 
