@@ -149,7 +149,7 @@ std::optional<TickTrace> telling_tick(const TapeRun& run, const TickScene& scene
     const std::optional<std::size_t> row = hack_row(hack);
     if (!row || run.acted_count(*row) == 0) return std::nullopt;
     std::optional<TickTrace> best;
-    double largest = -1.0;
+    double largest = -1.0;  // m
     for (TickTrace& trace : run.traces(scene, 0, run.samples().size() - 1)) {
         if (((run.samples()[trace.tick].acted >> *row) & 1) == 0) continue;
         MovementSettings off = run.settings_at(trace.tick);
@@ -159,7 +159,8 @@ std::optional<TickTrace> telling_tick(const TapeRun& run, const TickScene& scene
         const PlayerState& with = trace.after.stepped;
         const double apart =
             (with.position - without.position).norm() + trace.dt * (with.velocity - without.velocity).norm();
-        if (apart <= largest) continue;
+        constexpr double rounding = 1e-9;
+        if (apart <= largest + rounding) continue;
         largest = apart;
         best = std::move(trace);
     }

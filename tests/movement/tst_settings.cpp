@@ -44,7 +44,8 @@ TEST(SettingsTable, HasASectionOfThePageForEveryHack) {
     const std::string page(std::istreambuf_iterator<char>(file), {});
     for (const SettingInfo& info : settings_table()) {
         const std::string_view group = info.group;
-        if (group != "Hacks" && group != "Jump" && group != "Moves") continue;
+        // The numbers of a hack are listed in docs/settings.md, which is made from this table.
+        if ((group != "Hacks" && group != "Jump" && group != "Moves") || *info.switch_name) continue;
         EXPECT_NE(page.find(std::string("`") + info.name + "`"), std::string::npos)
             << info.name << " is not in docs/movement.md";
     }
