@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* floor_obj =
+constexpr const char* square_obj =
     "v -3 0 3\nv 3 0 3\nv 3 0 -3\nv -3 0 -3\no floor\nusemtl floor\nf 1 2 3 4\n";
 
 class OtherPrograms : public testing::Test {
@@ -20,7 +20,7 @@ class OtherPrograms : public testing::Test {
         fs::create_directories(folder_ / "shots/town");
         fs::create_directories(folder_ / "levels");
         folder_.write("boxes.txt", "10 10 40 20\n80 30 30 30\n");
-        folder_.write("levels/floor.obj", floor_obj);
+        folder_.write("levels/floor.obj", square_obj);
         suite(SLIPFACE_DRAW_FRAMES " ../boxes.txt");
         draw_shots();
         unsetenv("CI");
@@ -129,7 +129,7 @@ TEST_F(OtherPrograms, ImagesOfAFolderAndShards) {
 TEST_F(OtherPrograms, LevelsThatACommandReads) {
     suite(SLIPFACE_DRAW_FRAMES " ../boxes.txt && test -f ../levels/floor.obj");
     ASSERT_EQ(snapshot("approve").exit_code, 0);
-    std::string text = floor_obj;
+    std::string text = square_obj;
     text.replace(0, 7, "v -3 1 ");
     folder_.write("levels/floor.obj", text);
     const ProgramRun run = check();
