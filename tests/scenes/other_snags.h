@@ -1,6 +1,8 @@
 // Snags that were planted by someone who had not read the rules.
 #pragma once
 
+#include <algorithm>
+
 #include "snags.h"
 
 namespace slipface::test {
