@@ -16,6 +16,8 @@ constexpr double degree = std::numbers::pi / 180.0;
 
 // How blunt a cure is, apart from numbers.
 constexpr int switch_on = 0, fitting = 1, other_choice = 2, switch_off = 3, other_type = 4, not_solid = 5;
+// A move that the game did not have; a press of its button asks for it.
+constexpr int new_move = 3, asked_move = 1, asked_number = 0;
 // A number changed by more than this fraction is as blunt as a switch thrown off.
 constexpr double much = 0.5;
 
@@ -68,7 +70,7 @@ bool fits(const Loss& loss, std::string_view number) {
         case StopCause::slope:
         case StopCause::terrain: return number == "max_slope";
         case StopCause::gap: return number == "radius_x";
-        case StopCause::overhead: return number == "radius_y";
+        case StopCause::overhead: return number == "radius_y" || number == "crouch_radius_y";
         case StopCause::wall: return loss.in_air && number == "jump_speed";
         default: return false;
     }
@@ -87,7 +89,18 @@ std::string assignment(const SettingInfo& info, double value) {
                  : fmt::format("{}={:.12g}", info.name, value);
 }
 
-void add_switches(std::vector<CureCandidate>& all, const MovementSettings& settings) {
+using Names = std::span<const std::string_view>;
+bool has(Names names, std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
+}
+
+bool is_move(const SettingInfo& info) {
+    return std::ranges::any_of(ability_rows, [&](const NumberRow& row) {
+        return std::string_view(find_setting(row.name)->switch_name) == info.name;
+    });
+}
+
+void add_switches(std::vector<CureCandidate>& all, const MovementSettings& settings, Names asked) {
     for (const SettingInfo* info : hack_rows()) {
         const double now = get_setting(settings, *info);
         for (double value = info->minimum; value <= info->maximum; value += 1.0) {
@@ -100,12 +113,15 @@ void add_switches(std::vector<CureCandidate>& all, const MovementSettings& setti
             c.cure.settings = {std::string(info->name) + "=" + text};
             c.cure.button = is_switch(*info) ? (value > 0.0 ? "Turn on" : "Turn off") : "Set";
             c.cure.bluntness = value == 0.0 ? switch_off : now == 0.0 ? switch_on : other_choice;
+            if (now == 0.0 && is_move(*info))
+                c.cure.bluntness = has(asked, info->name) ? asked_move : new_move;
             all.push_back(std::move(c));
         }
     }
 }
 
-void add_numbers(std::vector<CureCandidate>& all, const MovementSettings& settings, const Loss& loss) {
+void add_numbers(std::vector<CureCandidate>& all, const MovementSettings& settings, const Loss& loss,
+                 Names asked) {
     std::vector<NumberRow> rows(number_rows.begin(), number_rows.end());
     for (const NumberRow& row : ability_rows)
         if (get_setting(settings, *find_setting(find_setting(row.name)->switch_name)) != 0.0)
@@ -119,6 +135,7 @@ void add_numbers(std::vector<CureCandidate>& all, const MovementSettings& settin
         c.extreme = std::clamp(c.now * row.factor, row.least, row.maximum);
         c.step = row.step;
         c.fits = fits(loss, row.name);
+        c.asked = has(asked, row.name) || has(asked, info->switch_name);
         if ((c.extreme - c.now) * (row.factor - 1.0) <= 0.0) continue;
         if (*info->switch_name) {
             const SettingInfo* with = find_setting(info->switch_name);
@@ -195,7 +212,8 @@ void add_types(std::vector<CureCandidate>& all, const Level& level, const Stop& 
         other.solid = true;
         other.name = level.surfaces[now].name + " solid";
         all.push_back(painted(faces, other, "Make " + face + " solid", fitting));
-    } else if (other.solid && (loss.cause != StopCause::fall || stop.fall == FallCause::cut_short)) {
+    } else if (other.solid && (loss.cause != StopCause::fall || stop.fall == FallCause::cut_short ||
+                               stop.fall == FallCause::pushed)) {
         other.solid = false;
         other.name = level.surfaces[now].name + " not solid";
         all.push_back(painted(faces, other, "Make " + face + " not solid", not_solid));
@@ -213,10 +231,10 @@ void add_types(std::vector<CureCandidate>& all, const Level& level, const Stop& 
 }  // namespace
 
 std::vector<CureCandidate> cure_candidates(const Level& level, const MovementSettings& settings,
-                                           const Stop& stop) {
+                                           const Stop& stop, std::span<const std::string_view> asked) {
     std::vector<CureCandidate> all;
-    add_switches(all, settings);
-    add_numbers(all, settings, stop.loss);
+    add_switches(all, settings, asked);
+    add_numbers(all, settings, stop.loss, asked);
     add_types(all, level, stop);
     return all;
 }
@@ -234,7 +252,10 @@ Cure number_cure(const CureCandidate& candidate, double value) {
     for (const SettingInfo* number : candidate.numbers)
         cure.settings.push_back(assignment(*number, value));
     cure.change = std::abs(value - candidate.now) / std::max(std::abs(candidate.now), 1e-9);
-    cure.bluntness = candidate.fits ? fitting : cure.change > much ? switch_off : other_choice;
+    cure.bluntness = candidate.asked      ? asked_number
+                     : candidate.fits     ? fitting
+                     : cure.change > much ? switch_off
+                                          : other_choice;
     return cure;
 }
 

@@ -49,7 +49,8 @@ class Search {
     std::vector<Cure> cures(std::vector<Cure> repairs) {
         if (!build()) return {};
         prepare();
-        std::vector<CureCandidate> candidates = cure_candidates(level_, run_.settings_at(stop_.first), stop_);
+        std::vector<CureCandidate> candidates =
+            cure_candidates(level_, run_.settings_at(stop_.first), stop_, asked());
         for (Cure& repair : repairs)
             candidates.emplace_back().cure = std::move(repair);
         for (const CureCandidate& candidate : candidates)
@@ -72,6 +73,22 @@ class Search {
     }
 
   private:
+    // The settings that refused what a button asked for, from where trials start to the stop.
+    std::vector<std::string_view> asked() const {
+        std::vector<std::string_view> names;
+        for (std::size_t tick = std::max<std::size_t>(first_, 1); tick <= stop_.first; ++tick) {
+            const ButtonSet now = run_.input_at(tick).buttons, before = run_.input_at(tick - 1).buttons;
+            if ((now.bits & ~before.bits) == 0) continue;
+            for (const TraceRecord& record : run_.trace(*scene_, tick).records) {
+                const auto* decision = std::get_if<DecisionRecord>(&record);
+                if (decision == nullptr) continue;
+                const DecisionInfo& info = decision_info(decision->kind);
+                if (info.outcome != Outcome::acted) names.emplace_back(info.hack);
+            }
+        }
+        return names;
+    }
+
     void prepare() {
         start_ = run_start(*scene_, run_.start());
         first_ = ticks_before(run_, std::min(stop_.first, stop_.left), lead_s);
@@ -79,7 +96,7 @@ class Search {
         const double stop_ticks = static_cast<double>(stop_.last - stop_.first + 1);
         const double seen = static_cast<double>(std::min(end_, stop_.last + 1) - stop_.first);
         lost_m_ = stop_.lost_m * seen / stop_ticks;
-        if (stop_.loss.cause >= StopCause::hazard) {
+        if (was_sent_back()) {
             const PlayerInput input = run_.input_at(stop_.first);
             lost_m_ = run_.settings_at(stop_.first).walk_speed * input.wish.norm() * run_.dt() *
                       static_cast<double>(end_ - stop_.first);
@@ -105,8 +122,19 @@ class Search {
                     (shift % 2 == 0 ? aside_m : -aside_m) * part * Vec3(-way.z(), 0.0, way.x()).normalized();
         }
         trial.advance(*scene_, run_, start_, cancelled_() ? 0 : run_.length());
+        if (was_sent_back()) land(trial);
         return trial;
     }
+    // A fall that has not ended yet is no rescue.
+    void land(Trial& trial) const {
+        const double advanced = trial.advanced_m;
+        trial.end = run_.length();
+        while (!trial.done() && !is_held(trial.state))
+            trial.advance(*scene_, run_, start_, cancelled_() ? 0 : 1);
+        if (!trial.sent_back && !is_held(trial.state)) trial.sent_back = end_ - 1;
+        trial.advanced_m = advanced;
+    }
+    bool was_sent_back() const { return stop_.loss.cause >= StopCause::hazard; }
 
     Trial play_long(const std::vector<std::string>& settings) {
         Trial trial;
@@ -176,7 +204,9 @@ class Search {
     }
     bool passes(const Trial& t) const {
         const double gained = gain_of(t);
-        return (!t.sent_back || *t.sent_back >= end_) && gained >= made_up * lost_m_ && gained > unseen_m;
+        const bool survives = !t.sent_back || (*t.sent_back >= end_ && !was_sent_back());
+        // Of a player that stood still nothing more is asked.
+        return survives && gained >= made_up * lost_m_ && (gained > unseen_m || !(lost_m_ > 0.0));
     }
     bool passes(const Cure& cure, int shift) { return passes(play(cure.settings, shift)); }
     bool passes_from_all_starts(const Cure& cure) {
@@ -191,7 +221,7 @@ class Search {
         cure.gained_m = gain_of(trial);
         cure.passes = passes(trial);
         const bool by_chance = cure.passes && !passes_from_all_starts(cure);
-        if (!by_chance && cure.gained_m > unseen_m) found_.push_back(std::move(cure));
+        if (!by_chance && (cure.passes || cure.gained_m > unseen_m)) found_.push_back(std::move(cure));
     }
 
     void try_plain(const CureCandidate& c) {
@@ -283,7 +313,9 @@ Status apply_cure(Level& level, const Cure& cure) {
 }
 
 std::string cure_text(const Cure& cure) {
-    std::string text = fmt::format("{}: {:.2f} m further", cure.text, cure.gained_m);
+    std::string text = cure.passes && cure.gained_m < unseen_m
+                           ? cure.text + ": not sent back to the start"
+                           : fmt::format("{}: {:.2f} m further", cure.text, cure.gained_m);
     if (!cure.passes) text += ", but still stopped";
     if (!cure.cost.empty()) text += "; " + cure.cost;
     return text;

@@ -8,10 +8,6 @@
 namespace slipface {
 namespace {
 
-// A touch this far above the middle, as a fraction of the half height, is overhead.
-constexpr double overhead_from = 0.3;
-// Ground less steep than this is a slope, steeper is a wall: N.y.
-constexpr double slope_normal_y = 0.1;
 struct Taken {
     FaceId face = no_id;
     SurfaceId surface = default_surface;
@@ -51,7 +47,8 @@ class Reader {
 
     void take(std::size_t index, const SweepRecord& sweep) {
         if (attempts_.note(sweep) == StepAttempts::Seen::begins) before_step_ = taken_;
-        sweep_ = &sweep;
+        // A response is to the last contact; sweeps that only check its distance may follow it.
+        if (sweep.contact) sweep_ = &sweep;
         if (!carrying_) return;
         carrying_ = false;
         if (const double against = -towards(sweep.move); against > 0.0) {
@@ -127,9 +124,9 @@ class Reader {
                         .record = index,
                         .face = decision.face,
                         .surface = trace_.before.ground_surface,
-                        .position = sweep_ && sweep_->contact ? sweep_->contact->point : trace_.from,
+                        .position = sweep_ ? sweep_->contact->point : trace_.from,
                         .because = decision};
-        if (sweep_ && sweep_->contact && sweep_->contact->face == decision.face) {
+        if (sweep_ && sweep_->contact->face == decision.face) {
             special_->surface = sweep_->contact->surface;
             special_->normal = sweep_->contact->normal;
         }
@@ -153,37 +150,27 @@ class Reader {
                   .record = maximum.record,
                   .face = maximum.face,
                   .surface = maximum.surface};
-        if (maximum.sweep == nullptr || !maximum.sweep->contact) return loss;
+        if (maximum.sweep == nullptr) return loss;
         const SweepRecord& sweep = *maximum.sweep;
         const Contact& contact = *sweep.contact;
         loss.position = contact.point;
         loss.normal = contact.normal;
-        const double centre = sweep.from.y() + contact.t * sweep.move.y();
-        const double half = trace_.settings.radii.y();
-        loss.height_m = contact.point.y() - (centre - half);
-        for (const DecisionRecord& steep : steep_)
-            if (steep.face == maximum.face) loss.because = steep;
-
         loss.in_air = !is_held(trace_.before);
-        const bool aside = contact.normal.y() < slope_normal_y;
-        if (maximum.rule == Rule::stick) {
+        const double centre = sweep.from.y() + contact.t * sweep.move.y();
+        loss.height_m = contact.point.y() - (centre - trace_.settings.radii.y());
+        // On a slope the lowest point of the body is not what the player stands on.
+        if (!loss.in_air) loss.height_m -= trace_.before.ground_rise;
+        if (contact.feature != Feature::interior) loss.because = step_decision_;
+        for (const DecisionRecord& steep : steep_)
+            if (!loss.because && steep.face == maximum.face) loss.because = steep;
+
+        // What the thing is to the player, a wall, a step or a ceiling, is seen by trying.
+        if (maximum.rule == Rule::stick)
             loss.cause = StopCause::sticky;
-        } else if (sweep.platform != no_id) {
+        else if (sweep.platform != no_id)
             loss.cause = StopCause::platform;
-        } else if (contact.normal.y() < (contact.feature == Feature::interior ? -slope_normal_y : -0.01) ||
-                   contact.point.y() > centre + overhead_from * half) {
-            loss.cause = StopCause::overhead;
-        } else if (sweep.back) {
+        else if (sweep.back)
             loss.cause = StopCause::back;
-        } else if (contact.feature != Feature::interior && loss.height_m < half &&
-                   contact.normal.y() > 0.01) {
-            loss.cause = StopCause::step;
-            // On a slope the lowest point of the body is not what the player stands on.
-            if (!loss.in_air) loss.height_m -= trace_.before.ground_rise;
-            if (step_decision_) loss.because = step_decision_;
-        } else if (!aside) {
-            loss.cause = StopCause::slope;
-        }
         return loss;
     }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fell_short.h"
 #include "story_words.h"
 
 namespace slipface {
@@ -17,6 +18,7 @@ struct Reported {
     Decision kind;
     const char* word;
     bool idle_only = false;  // only while the stick is at rest
+    bool sums = false;       // the values of joined ones add up
 };
 constexpr auto reported =
     std::to_array<Reported>({{Decision::bounced, "bounced"},
@@ -32,7 +34,7 @@ constexpr auto reported =
                              {Decision::ladder_beside, "left the ladder"},
                              {Decision::ladder_ground, "left the ladder"},
                              {Decision::ladder_wall_above, "left the ladder"},
-                             {Decision::platform_pushed, "pushed"},
+                             {Decision::platform_pushed, "pushed", false, true},
                              {Decision::platform_crushed, "crushed"},
                              {Decision::platform_off, "left behind"},
                              {Decision::ground_velocity_lost, "left behind"},
@@ -48,7 +50,7 @@ constexpr auto reported =
                              {Decision::fell_at_terminal_speed, "slowed"},
                              {Decision::energy_capped, "slowed"},
                              {Decision::air_control_off, "not steered"},
-                             {Decision::stepped_up, "stepped up"},
+                             {Decision::stepped_up, "stepped up", false, true},
                              {Decision::wall_slid, "slid down a wall"},
                              {Decision::wall_slide_not_pushed, "fell along a wall"},
                              {Decision::dashed, "dashed"},
@@ -88,7 +90,8 @@ constexpr double least_push_m = 1e-3, least_slide_m = 2e-4;
 
 class EventReader {
   public:
-    EventReader(const TapeRun& run, const StoryNames& names) : run_(run), names_(names) {}
+    EventReader(const TickScene& scene, const TapeRun& run, const StoryNames& names)
+        : scene_(scene), run_(run), names_(names) {}
 
     void read(const TickTrace& trace) {
         for (const TraceRecord& record : trace.records) {
@@ -106,14 +109,21 @@ class EventReader {
     }
 
   private:
+    // The event that goes on in this tick.
+    RunEvent* open_event(const TickTrace& trace, const char* word, FaceId face) {
+        const auto joined = static_cast<std::size_t>(joined_s / run_.dt()) + 1;
+        for (std::size_t i = events_.size(); i-- > 0;)
+            if (events_[i].word == word && events_[i].face == face)
+                return trace.tick > events_[i].last + joined ? nullptr : &events_[i];
+        return nullptr;
+    }
+
     // Of joined events the one with the largest `weight` is reported.
     template <class Write>
     void add(const TickTrace& trace, const char* word, FaceId face, Write write, double weight = 0.0) {
-        const auto joined = static_cast<std::size_t>(joined_s / run_.dt()) + 1;
-        std::size_t i = events_.size();
-        while (i > 0 && (events_[i - 1].word != word || events_[i - 1].face != face))
-            --i;
-        if (i == 0 || trace.tick > events_[i - 1].last + joined) {
+        RunEvent* open = open_event(trace, word, face);
+        std::size_t i = open == nullptr ? 0 : static_cast<std::size_t>(open - events_.data()) + 1;
+        if (open == nullptr) {
             RunEvent& event = events_.emplace_back();
             event.word = word;
             event.first = trace.tick;
@@ -152,10 +162,18 @@ class EventReader {
         // A ceiling slides nobody off.
         if (decision.kind == Decision::too_steep_to_stand && !(decision.value > 0.0)) return;
         const FaceId face = decision.face;
-        add(trace, row->word, face, [&](Words words) {
-            words.decision(decision);
-            if (face != no_id) words.say(": ").say(thing_text(names_, face));
-        });
+        // A step or a push that takes several ticks is reported as a whole.
+        DecisionRecord all = decision;
+        const RunEvent* before = row->sums ? open_event(trace, row->word, face) : nullptr;
+        if (before != nullptr) all.value += weights_[static_cast<std::size_t>(before - events_.data())];
+        const double weight = row->sums ? all.value : 0.0;
+        add(
+            trace, row->word, face,
+            [&](Words words) {
+                words.decision(all);
+                if (face != no_id) words.say(": ").say(thing_text(names_, face));
+            },
+            weight);
     }
 
     void tell(const TickTrace& trace, const PushOutRecord& push) {
@@ -260,11 +278,21 @@ class EventReader {
         const double flew = static_cast<double>(trace.tick - *left_ground_) * run_.dt();
         const double fell = highest_ - trace.to.y();
         const double speed = -before.velocity.y();
+        const std::size_t left = *left_ground_;
         left_ground_.reset();
         if (!after.grounded || flew < least_flight_s || fell < least_fall_m) return;
         add(trace, "landed", after.ground_face, [&](Words words) {
             words.say("Landed on ").say(ground_text(after.ground_face)).say(" after a fall of ");
             words.size(fell).say(" at ").speed(speed).say(", ").seconds(flew).say(" in the air");
+        });
+        const auto missed = fell_short(scene_, run_, left, trace.tick);
+        if (!missed) return;
+        add(trace, "fell short", missed->face, [&](Words words) {
+            if (missed->low_m > 0.0)
+                words.say("The jump was ").size(missed->low_m).say(" too low for ");
+            else
+                words.say("The jump fell ").size(missed->short_m).say(" short of ");
+            words.say(ground_text(missed->face));
         });
     }
 
@@ -316,8 +344,8 @@ class EventReader {
 
     // Moving on although the stick is at rest, for longer than braking takes.
     void read_rest(const TickTrace& trace, bool idle, double speed) {
-        const bool carried =
-            decided(trace, {Decision::surface_carried, Decision::platform_carried}) != nullptr;
+        const bool carried = decided(trace, {Decision::surface_carried, Decision::platform_carried,
+                                             Decision::platform_pushed}) != nullptr;
         idle_ticks_ = idle && !carried && speed * run_.dt() > least_slide_m ? idle_ticks_ + 1 : 0;
         if (static_cast<double>(idle_ticks_) * run_.dt() < slower_for_s) return;
         const PlayerState& after = trace.after.stepped;
@@ -341,6 +369,7 @@ class EventReader {
         FaceId under = no_id;
     };
 
+    const TickScene& scene_;
     const TapeRun& run_;
     const StoryNames& names_;
     std::vector<RunEvent> events_;
@@ -356,7 +385,7 @@ class EventReader {
 
 std::vector<RunEvent> find_events(const TickScene& scene, const TapeRun& run, const StoryNames& names,
                                   const std::function<bool()>& cancelled) {
-    EventReader reader(run, names);
+    EventReader reader(scene, run, names);
     constexpr std::size_t at_once = TapeRun::keyframe_ticks;
     const std::size_t ticks = run.samples().size();
     for (std::size_t first = 0; first < ticks && !(cancelled && cancelled()); first += at_once)

@@ -33,11 +33,12 @@ Part part_of(WhatHolds& holds, const Holding& holding, const Stop& stop, const M
     const double body = 2.0 * settings.radii.y();
     // Touched within the face, and not at its rim.
     const Vec3 face = face_normal(mesh, holding.front().face), touched = holding.front().normal;
-    const bool tilted = face.y() > least_slope_y && face.y() < 0.999 && touched.y() > least_slope_y &&
-                        touched.dot(face) > 0.99;
+    const bool within = touched.dot(face) > 0.99;
+    const bool tilted = within && face.y() > least_slope_y && face.y() < 0.999;
+    const bool above = within && face.y() < -least_slope_y;
     if (holding.front().platform != no_id) {
         part.cause = StopCause::platform;
-    } else if (part.lowest_m > std::max(step, 0.25 * body) && part.lowest_m < body + step) {
+    } else if (above || (part.lowest_m > std::max(step, 0.25 * body) && part.lowest_m < body + step)) {
         part.cause = StopCause::overhead;
     } else if (tilted) {
         part.cause = StopCause::slope;
@@ -62,8 +63,20 @@ void hold(Stop& stop, const Holding& holding) {
 // Names the thing that held the player, by what was enough to free it.
 void name_cause(Stop& stop, WhatHolds& holds, std::span<const Holding> found, std::span<const Blame> by_trace,
                 const MovementSettings& settings, const Mesh& mesh) {
+    // Of a set that holds together, what was hit in the run itself stands for all.
+    std::vector<Holding> sets(found.begin(), found.end());
+    for (Holding& holding : sets) {
+        for (const Blame& blame : by_trace) {
+            const auto hit = std::ranges::find_if(holding, [&](const Obstacle& obstacle) {
+                return std::ranges::binary_search(obstacle.faces, blame.face);
+            });
+            if (hit == holding.end()) continue;
+            std::rotate(holding.begin(), hit, hit + 1);
+            break;
+        }
+    }
     std::vector<Part> parts;
-    for (const Holding& holding : found)
+    for (const Holding& holding : sets)
         parts.push_back(part_of(holds, holding, stop, settings, mesh));
     auto chosen = std::ranges::find_if(parts, &Part::out_of_bounds);
     if (chosen == parts.end()) chosen = parts.begin();
@@ -88,6 +101,7 @@ void name_cause(Stop& stop, WhatHolds& holds, std::span<const Holding> found, st
         loss.position = main->point;
         loss.normal = main->normal;
         loss.record.reset();
+        loss.height_m = main->point.y() - chosen->feet_m;
     }
     const StopCause before = loss.cause;
     loss.cause = chosen->cause;
@@ -139,15 +153,17 @@ void name_press(Stop& stop, WhatHolds& holds) {
     }
 }
 
-void name_fall(Stop& stop, WhatHolds& holds) {
+bool name_fall(Stop& stop, WhatHolds& holds) {
     const auto carrier = holds.of_fall(stop.left, stop.first);
-    if (!carrier) return;
+    if (!carrier) return false;
     const Obstacle& obstacle = carrier->holding.front();
     stop.fall = carrier->cause;
     stop.loss.face = obstacle.face;
     stop.loss.other = carrier->ground;
+    if (carrier->surface) stop.loss.surface = *carrier->surface;
     hold(stop, carrier->holding);
     if (!obstacle.point.isZero(0.0)) stop.loss.position = obstacle.point;
+    return true;
 }
 
 }  // namespace slipface

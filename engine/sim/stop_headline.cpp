@@ -22,6 +22,8 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
     const std::string what = thing_text(names, loss.face);
     // The feet stand a skin above the floor.
     const double height = loss.in_air ? loss.height_m : loss.height_m + settings.skin;
+    const bool lifted = settings.step_up && settings.step_form == StepForm::every_move;
+    const double lift = lifted ? settings.step_height : 0.0;
     const auto because = [&] {
         if (!loss.because) return;
         words.say(". ").decision(*loss.because);
@@ -66,11 +68,19 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
             because();
             break;
         case StopCause::overhead:
-            if (loss.clearance_m > 0.0)
+            if (loss.because && loss.because->kind == Decision::step_up_no_room &&
+                !(loss.clearance_m < 2.0 * settings.radii.y())) {
+                words.say(what).say(" leaves no room to step up below it; you are ");
+                words.size(2.0 * settings.radii.y()).say(" tall");
+                break;
+            }
+            // A ceiling that slopes, or that is met on a ladder, leaves enough where it is touched first.
+            if (loss.clearance_m > 0.0 && loss.clearance_m < 2.0 * settings.radii.y() + lift)
                 words.say(what).say(" leaves ").size(loss.clearance_m).say(" of height");
             else
                 words.say(what).say(" is too low: you touched it ").size(height).say(" above your feet");
             words.say("; you are ").size(2.0 * settings.radii.y()).say(" tall");
+            if (lift > 0.0) words.say(", and each move is lifted by Step height, ").size(lift);
             break;
         case StopCause::gap:
             if (loss.top_m > 0.0 && loss.hole) {
@@ -125,6 +135,26 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
             }
             if (stop.fall == FallCause::cut_short) {
                 words.say(what).say(" cut the jump short: without it you would have landed on ");
+                words.say(thing_text(names, loss.other));
+                break;
+            }
+            if (stop.fall == FallCause::by_type) {
+                words.say("You fell because of the type `");
+                words.say(loss.surface < names.surfaces.size() ? names.surfaces[loss.surface].name : "");
+                words.say("` of ").say(what).say(": on plain ground you would have stayed");
+                break;
+            }
+            if (stop.fall == FallCause::pushed) {
+                words.say(what).say(" pushed you off ");
+                words.say(thing_text(names, loss.other));
+                break;
+            }
+            if (stop.fall == FallCause::too_short) {
+                words.say("The jump from ").say(what);
+                if (stop.low_m > 0.0)
+                    words.say(" was ").size(stop.low_m).say(" too low for ");
+                else
+                    words.say(" fell ").size(stop.short_m).say(" short of ");
                 words.say(thing_text(names, loss.other));
                 break;
             }

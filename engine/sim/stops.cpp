@@ -8,6 +8,7 @@
 #include <functional>
 #include <utility>
 
+#include "fell_short.h"
 #include "stop_parts.h"
 
 namespace slipface {
@@ -195,7 +196,14 @@ void explain_return(Stop& stop, const TickScene& scene, const TapeRun& run, What
     if (trace.after.respawn == Respawn::hazard) stop.loss.cause = StopCause::hazard;
     if (trace.after.respawn == Respawn::crushed) stop.loss.cause = StopCause::crushed;
     if (holds == nullptr) return;
-    if (stop.loss.cause == StopCause::fall) name_fall(stop, *holds);
+    if (stop.loss.cause == StopCause::fall && !name_fall(stop, *holds)) {
+        if (const auto missed = fell_short(scene, run, stop.left, stop.first)) {
+            stop.fall = FallCause::too_short;
+            stop.loss.other = missed->face;
+            stop.short_m = missed->short_m;
+            stop.low_m = missed->low_m;
+        }
+    }
     if (stop.loss.cause == StopCause::crushed) name_press(stop, *holds);
 }
 
@@ -208,7 +216,8 @@ std::vector<Stop> explained(const TickScene& scene, const TapeRun& run, const St
     for (Stretch& stretch : find_stretches(run, names)) {
         if (cancelled && cancelled()) break;
         Stop& stop = stretch.stop;
-        const MovementSettings settings = run.settings_at(stop.worst);
+        const MovementSettings settings = settings_of_body(
+            run.settings_at(stop.worst), PlayerState{.crouched = run.samples()[stop.worst].crouched});
         const bool back = run.samples()[stop.first].respawned;
         if (back) {
             explain_return(stop, scene, run, holds ? &*holds : nullptr);
@@ -219,6 +228,8 @@ std::vector<Stop> explained(const TickScene& scene, const TapeRun& run, const St
                 stop.loss = by_trace.front().loss;
             }
             bool known = !by_trace.empty();
+            const TickSample& before = run.samples()[stop.worst > 0 ? stop.worst - 1 : 0];
+            stop.loss.in_air = !before.grounded && !before.climbing && !before.stuck && !before.hanging;
             if (holds && (!known || is_of_geometry(stop.loss.cause)) &&
                 (known || stop.lost_s >= reported_s)) {
                 const std::vector<Holding> found = holds->of_stop(stop.first, stretch.early_m);

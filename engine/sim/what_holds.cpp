@@ -7,6 +7,7 @@
 #include <functional>
 #include <numeric>
 
+#include "story_words.h"
 #include "trial.h"
 
 namespace slipface {
@@ -16,11 +17,15 @@ namespace trying {
 constexpr double regained = 0.5;
 // Trials start this long before the stop, so that the player arrives as it did.
 constexpr double run_up_s = 0.1;
+// What makes a player fall is looked for this long before the ground is left.
+constexpr double before_fall_s = 1.5;
 // What leans with the stick by this much is at the player's back.
 constexpr double least_behind = 0.3;
 // What stopped the player is measured this far from where it begins: the first step of stairs, not the
 // flight.
 constexpr double measured_m = 0.1;
+// The ground before it ends at its foot.
+constexpr double just_before_m = 0.01;
 constexpr int max_rounds = 24;
 constexpr std::size_t max_obstacles = 40;
 // Faces are of one plane if their normals and their offsets differ by no more.
@@ -28,6 +33,7 @@ constexpr double same_normal = 0.999, same_offset_m = 0.002;
 
 struct Meeting {
     FaceId face = no_id;
+    bool within = false;  // touched inside the face, and not at its rim
     Vec3 normal = Vec3::Zero();
     Vec3 point = Vec3::Zero();
     double lost_m = 0.0;
@@ -39,13 +45,18 @@ class Meetings final : public TraceSink {
     std::vector<Meeting> all;
     Vec3 heading = Vec3::Zero();
     Vec3 offset = Vec3::Zero();  // of the records' coordinates to the level's
-    double walkable = 1.0;       // N.y from which ground carries
-    bool every = false;          // whatever is touched
-    FaceId behind = no_id;       // touched by the player's back
+    const StoryNames* names = nullptr;
+    MovementSettings settings;
+    bool every = false;                 // whatever is touched
+    std::optional<SurfaceId> carrying;  // the type that is climbed: as the floor, it is not to blame
+    FaceId behind = no_id;              // an edge at the player's back
 
     void add(const TraceRecord& record) override {
         if (const auto* sweep = std::get_if<SweepRecord>(&record)) take(*sweep);
         if (const auto* response = std::get_if<ResponseRecord>(&record)) take(*response);
+        const auto* decision = std::get_if<DecisionRecord>(&record);
+        if (every && decision && decision->kind == Decision::platform_pushed && decision->face != no_id)
+            of(decision->face);
     }
 
   private:
@@ -58,11 +69,15 @@ class Meetings final : public TraceSink {
     void take(const SweepRecord& sweep) {
         if (!sweep.contact || sweep.contact->face == no_id) return;
         const Vec3& normal = sweep.contact->normal;
-        if (normal.dot(heading) > least_behind && normal.y() > 0.0) behind = sweep.contact->face;
-        const bool against = normal.dot(heading) < -1e-3 && normal.y() < walkable;
+        const bool within = sweep.contact->feature == Feature::interior;
+        if (carrying && sweep.contact->surface == *carrying) return;
+        if (!within && normal.dot(heading) > least_behind && normal.y() > 0.0) behind = sweep.contact->face;
+        const bool against =
+            normal.dot(heading) < -1e-3 && !is_walkable(*names, settings, normal, sweep.contact->surface);
         if (!every && !against && normal.y() > -1e-3) return;
         Meeting& meeting = of(sweep.contact->face);
-        if (!meeting.normal.isZero(0.0)) return;
+        if (!meeting.normal.isZero(0.0) && (meeting.within || !within)) return;
+        meeting.within = within;
         meeting.normal = normal;
         meeting.point = sweep.contact->point + offset;
     }
@@ -99,6 +114,7 @@ using namespace trying;
 struct WhatHolds::Impl {
     const Level& level;
     const TapeRun& run;
+    StoryNames names;
     std::optional<LevelScene> built;
     std::optional<TickScene> scene;
     RunStart start;
@@ -119,11 +135,14 @@ struct WhatHolds::Impl {
         lost.clear();
         met = {};
         met.offset = -built->offset();
+        met.names = &names;
     }
     void look_along(std::size_t tick) {
+        const TickSample before = tick > 0 ? run.samples()[tick - 1] : TickSample{};
+        if (before.climbing) met.carrying = before.surface;
         const Vec2 wish = run.input_at(tick).wish;
         if (!wish.isZero(0.0)) met.heading = Vec3(wish.x(), 0.0, wish.y()).normalized();
-        met.walkable = std::cos(run.settings_at(tick).max_slope);
+        met.settings = run.settings_at(tick);
     }
     std::vector<std::size_t> all() const {
         std::vector<std::size_t> indices(obstacles.size());
@@ -131,7 +150,7 @@ struct WhatHolds::Impl {
         return indices;
     }
 
-    Impl(const Level& in, const TapeRun& of) : level(in), run(of) {}
+    Impl(const Level& in, const TapeRun& of) : level(in), run(of), names(in) {}
 
     bool build() {
         if (built) return nothing.has_value();
@@ -202,6 +221,13 @@ struct WhatHolds::Impl {
         return faces;
     }
 
+    std::vector<FaceId> object_of(FaceId face) const {
+        std::vector<FaceId> faces;
+        for (FaceId other = 0; other < mesh->face_count(); ++other)
+            if (mesh->face_group[other] == mesh->face_group[face]) faces.push_back(other);
+        return faces;
+    }
+
     // The obstacles of these meetings; true if one of them is new.
     bool note(const std::vector<Meeting>& meetings) {
         bool more = false;
@@ -225,11 +251,72 @@ struct WhatHolds::Impl {
         return more;
     }
 
+    // The height of the ground that the player stands on, `ahead` metres from its middle; of its feet where
+    // there is none near.
+    double ground_ahead(std::size_t tick, const PlayerState& state, const MovementSettings& settings,
+                        double ahead) const {
+        const MovementScene at = scene->at(tick, run.dt());
+        const double half = settings.radii.y();
+        const Vec3 centre = position_in_scene(at, state);
+        const Vec3 from = centre + std::max(0.0, ahead - just_before_m) * met.heading;
+        const double feet = scene->to_level(state).y() - half - settings.skin;
+        if (!state.grounded) return feet;
+        const double down = half + std::max(settings.step_height, settings.snap_distance);
+        const auto hit = cast_ray(at.collision, from, Vec3(0.0, -down, 0.0), 1.0, RayStops::as_movement);
+        return hit ? feet + half + settings.skin - hit->t * down : feet;
+    }
+
     Holding holding(const std::vector<std::size_t>& which) const {
         Holding all;
         for (const std::size_t i : which)
             all.push_back(obstacles[i]);
         return all;
+    }
+
+    // What made the player fall, of all that it touched from before it left the ground: a type, in whose
+    // place plain ground would have kept it up, or a platform.
+    std::optional<Carrier> of_touch(std::size_t left, std::size_t last) {
+        begin = ticks_before(run, left, before_fall_s);
+        const PlayerState leaving = state_before(left);
+        const double lowest = scene->to_level(leaving).y() - run.settings_at(left).step_height;
+        const auto stays = [&](std::span<const FaceId> faces, SurfaceId type) {
+            Trial trial;
+            trial.state = state_before(begin);
+            built->try_surface(faces, type);
+            trial.tick = begin;
+            trial.end = std::min(last + 1, run.length());
+            trial.advance(*scene, run, start, run.length());
+            built->end_trial();
+            return !trial.sent_back && is_held(trial.state) && scene->to_level(trial.state).y() > lowest;
+        };
+        forget();
+        met.every = true;
+        play(begin, last + 1, {}, &met);
+        const ResolvedSurfaces resolved = resolve_surfaces(level);
+        std::vector<SurfaceId> tried{default_surface};
+        for (const Meeting& meeting : met.all) {
+            const SurfaceId type = resolved.surface[meeting.face];
+            if (std::ranges::find(tried, type) != tried.end()) continue;
+            tried.push_back(type);
+            Obstacle touched;
+            touched.face = meeting.face;
+            for (FaceId face = 0; face < resolved.surface.size(); ++face)
+                if (resolved.surface[face] == type) touched.faces.push_back(face);
+            if (stays(touched.faces, default_surface))
+                return Carrier{{touched}, FallCause::by_type, leaving.ground_face, type};
+        }
+        note(met.all);
+        // What stands still pushes only who is carried against it.
+        const bool rides = leaving.ground_platform != no_id;
+        for (Obstacle& obstacle : obstacles) {
+            if (obstacle.platform == no_id) {
+                if (!rides) continue;
+                obstacle.faces = object_of(obstacle.face);
+            }
+            if (stays(obstacle.faces, *nothing))
+                return Carrier{{obstacle}, FallCause::pushed, leaving.ground_face};
+        }
+        return std::nullopt;
     }
 
     // The sets that suffice: single obstacles, else single objects, else one set without anything that may
@@ -252,9 +339,7 @@ struct WhatHolds::Impl {
             } else if (mesh->groups.size() > 1) {
                 // With what would be met of it next.
                 Obstacle whole = obstacles[all[i]];
-                whole.faces.clear();
-                for (FaceId face = 0; face < mesh->face_count(); ++face)
-                    if (mesh->face_group[face] == group) whole.faces.push_back(face);
+                whole.faces = object_of(whole.face);
                 obstacles.push_back(std::move(whole));
                 if (frees(std::vector{obstacles.size() - 1})) found.push_back({obstacles.back()});
                 obstacles.pop_back();
@@ -305,7 +390,8 @@ std::optional<Obstacle> WhatHolds::beside(const Obstacle& wall, std::size_t firs
     Meetings at_rest;
     at_rest.heading = impl.met.heading;
     at_rest.offset = impl.met.offset;
-    at_rest.walkable = impl.met.walkable;
+    at_rest.names = &impl.names;
+    at_rest.settings = impl.met.settings;
     at_rest.all = impl.met_first;
     impl.play(std::max(first, last - std::min(last, ticks_in(impl.run, looked_at_s))), last + 1, {},
               &at_rest);
@@ -325,17 +411,21 @@ std::optional<Obstacle> WhatHolds::beside(const Obstacle& wall, std::size_t firs
 FaceId WhatHolds::rim_before(double nearest, std::size_t tick) {
     Impl& impl = *impl_;
     const PlayerState state = impl.state_before(tick);
-    const MovementSettings settings = impl.run.settings_at(tick);
+    const MovementSettings settings = settings_of_body(impl.run.settings_at(tick), state);
     // What moves under the feet is not among what the ray below sees.
     if (!state.grounded || state.ground_platform != no_id) return no_id;
     if (impl.behind != no_id) return impl.behind;
     const MovementScene scene = impl.scene->at(tick, impl.run.dt());
     const Vec3 feet = position_in_scene(scene, state) - Vec3(0.0, settings.radii.y(), 0.0);
-    const Vec3 above = feet + 0.5 * nearest * impl.met.heading + Vec3(0.0, 0.5 * settings.radii.y(), 0.0);
-    const double down = 0.5 * settings.radii.y() + std::max(settings.step_height, settings.radii.y());
-    const bool ground =
-        cast_ray(scene.collision, above, Vec3(0.0, -down, 0.0), 1.0, RayStops::as_movement).has_value();
-    return ground ? no_id : state.ground_face;
+    // Ground that falls no more than by a step, or by 45 degrees.
+    const double half = 0.5 * settings.radii.y();
+    for (const double part : {0.5, 0.75, 0.95}) {
+        const double ahead = part * nearest, down = half + settings.step_height + std::max(ahead, 0.0);
+        const Vec3 above = feet + ahead * impl.met.heading + Vec3(0.0, half, 0.0);
+        if (!cast_ray(scene.collision, above, Vec3(0.0, -down, 0.0), 1.0, RayStops::as_movement))
+            return state.ground_face;
+    }
+    return no_id;
 }
 
 bool WhatHolds::lets_thin_through() {
@@ -424,51 +514,60 @@ std::optional<WhatHolds::Carrier> WhatHolds::of_fall(std::size_t left, std::size
     for (int round = 0; round < max_rounds && note_next(); ++round) {
         if (frees(impl.all())) {
             Holding holding = impl.smallest(impl.all(), frees).front();
-            return Carrier{std::move(holding), FallCause::cut_short, *ground};
+            // Who would have stayed on what it stood on was in no jump.
+            const FaceId stood_on = impl.state_before(left).ground_face;
+            const bool rides = stood_on < impl.mesh->face_count() && impl.platform_of(stood_on) != no_id &&
+                               impl.mesh->face_group[stood_on] == impl.mesh->face_group[*ground];
+            return Carrier{std::move(holding), rides ? FallCause::pushed : FallCause::cut_short, *ground};
         }
         impl.met.all.clear();
         impl.play(left, end + 1, impl.all(), &impl.met);
     }
-    return std::nullopt;
+    return impl.of_touch(left, end);
 }
 
 std::optional<WhatHolds::Extent> WhatHolds::extent(const Holding& holding, std::size_t tick) {
     Impl& impl = *impl_;
     if (!impl.build()) return std::nullopt;
-    const MovementSettings settings = impl.run.settings_at(tick);
     const PlayerState state = impl.state_before(tick);
+    const MovementSettings settings = settings_of_body(impl.run.settings_at(tick), state);
     const Vec2 wish = impl.run.input_at(tick).wish;
     if (wish.isZero(0.0)) return std::nullopt;
     const Vec3 heading = Vec3(wish.x(), 0.0, wish.y()).normalized();
     const Vec3 aside(-heading.z(), 0.0, heading.x());
     const Vec3 centre = impl.scene->to_level(state);
-    const double half = 0.9 * std::max(settings.radii.x(), settings.radii.z());
-    const double feet = centre.y() - settings.radii.y() - settings.skin;
+    const double wide = std::max(settings.radii.x(), settings.radii.z()) + 2.0 * settings.skin;
     const double time = static_cast<double>(tick) * impl.run.dt();
     std::vector<std::vector<Vec3>> polygons;  // relative to the player's middle
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Obstacle& obstacle : holding) {
-        if (impl.mesh->face_group[obstacle.face] != impl.mesh->face_group[holding.front().face]) continue;
-        const bool moves = obstacle.platform != no_id;
-        const Pose pose = moves ? platform_pose(impl.level.platforms[obstacle.platform], time) : Pose{};
-        for (const FaceId face : obstacle.faces) {
-            const Mesh& mesh = *impl.mesh;
-            for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1];
-                 ++t) {
-                std::vector<Vec3> polygon;
-                for (const std::uint32_t corner : mesh.triangles[t]) {
-                    const Vec3 rest = mesh.corner_position(corner).cast<double>();
-                    polygon.push_back((moves ? pose.apply(rest) : rest) - centre);
+    const auto cut_out = [&](double half) {
+        for (const Obstacle& obstacle : holding) {
+            if (impl.mesh->face_group[obstacle.face] != impl.mesh->face_group[holding.front().face]) continue;
+            const bool moves = obstacle.platform != no_id;
+            const Pose pose = moves ? platform_pose(impl.level.platforms[obstacle.platform], time) : Pose{};
+            for (const FaceId face : obstacle.faces) {
+                const Mesh& mesh = *impl.mesh;
+                for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1];
+                     ++t) {
+                    std::vector<Vec3> polygon;
+                    for (const std::uint32_t corner : mesh.triangles[t]) {
+                        const Vec3 rest = mesh.corner_position(corner).cast<double>();
+                        polygon.push_back((moves ? pose.apply(rest) : rest) - centre);
+                    }
+                    cut(polygon, [&](const Vec3& p) { return half - p.dot(aside); });
+                    cut(polygon, [&](const Vec3& p) { return half + p.dot(aside); });
+                    cut(polygon, [&](const Vec3& p) { return p.dot(heading) + half; });
+                    for (const Vec3& p : polygon)
+                        nearest = std::min(nearest, p.dot(heading));
+                    if (!polygon.empty()) polygons.push_back(std::move(polygon));
                 }
-                cut(polygon, [&](const Vec3& p) { return half - p.dot(aside); });
-                cut(polygon, [&](const Vec3& p) { return half + p.dot(aside); });
-                cut(polygon, [&](const Vec3& p) { return p.dot(heading) + half; });
-                for (const Vec3& p : polygon)
-                    nearest = std::min(nearest, p.dot(heading));
-                polygons.push_back(std::move(polygon));
             }
         }
-    }
+    };
+    // A wall that the player's side touches is in its way only if nothing else is.
+    cut_out(0.9 * wide);
+    if (polygons.empty()) cut_out(wide);
+    const double feet = impl.ground_ahead(tick, state, settings, nearest);
     std::optional<Extent> all;
     for (std::vector<Vec3>& polygon : polygons) {
         cut(polygon, [&](const Vec3& p) { return nearest + measured_m - p.dot(heading); });

@@ -46,7 +46,8 @@ class WhatHolds {
     struct Carrier {
         Holding holding;  // what let it through, or what it touched in the air
         FallCause cause = FallCause::unknown;
-        FaceId ground = no_id;  // where it would have landed
+        FaceId ground = no_id;                  // where it would have landed, or what it stood on
+        std::optional<SurfaceId> surface = {};  // whose type made it fall
     };
     std::optional<Carrier> of_fall(std::size_t left, std::size_t end);
 

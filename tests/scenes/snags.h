@@ -24,6 +24,9 @@ struct Snag {
     double passed_y = -1e9;      // and at least this high
     double lowest_y = -1e9;      // and never lower than this
     double passed_x = -1e9;      // and at last further along X
+    std::string headline = {};   // what the headline says
+    std::string cure = {};       // and the first cure
+    double size_m = 0.0;         // the number in the headline; 0: any
 };
 
 class SnagMaker {
@@ -40,6 +43,7 @@ class SnagMaker {
     // level.
     std::vector<Snag> make();
     std::vector<Snag> make_under_defaults();
+    std::vector<Snag> make_others();
 
   private:
     std::uint64_t state_;

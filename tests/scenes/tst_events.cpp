@@ -58,6 +58,7 @@ class Events : public ::testing::TestWithParam<int> {
     }
     Walked walk_with(const char* inputs) {
         Snag snag = snag_of("", "", shapes, settings, {}, inputs);
+        snag.level.platforms = platforms;
         snag.level.surfaces.insert(snag.level.surfaces.end(), types.begin(), types.end());
         snag.level.spawn = spawn + Vec3(0, settings.radii.y() + settings.skin, 0);
         const Walked walked = walk(snag);
@@ -69,6 +70,7 @@ class Events : public ::testing::TestWithParam<int> {
     MovementSettings settings;
     Shapes shapes;
     std::vector<SurfaceType> types;
+    std::vector<Platform> platforms;
     Vec3 spawn = Vec3::Zero();
 };
 
@@ -170,6 +172,39 @@ TEST_P(Events, WhoIsSlowerUphillReadsWhy) {
     const double slope = maker.between(30, 45) * M_PI / 180;
     shapes.ramp({-5, 0, -2}, 10, 20, 20 * std::tan(slope));
     expect_event(walk_with("15 wish 0,0\n120 wish 0,-1\n"), "slower", "Slower than asked on `thing`");
+}
+
+TEST_P(Events, AStepThatTakesSeveralTicksIsReportedAsAWhole) {
+    const double high = maker.between(0.15, 0.38);
+    shapes.box({-8, 0, -30}, {8, high, -4});
+    const Walked walked = walk_with("15 wish 0,0\n100 wish 0,-1\n");
+    expect_event(walked, "stepped up", "`thing`");
+    ASSERT_NE(walked.of("stepped up"), nullptr);
+    EXPECT_NEAR(walked.of("stepped up")->numbers.front().value, high, 0.03);
+}
+
+TEST_P(Events, APushNamesThePlatformAndIsNoSlide) {
+    const double speed = maker.between(1.0, 3.0), way = maker.between(1.9, 3.5);
+    shapes.box({-4, 0.1, -1}, {-2, 2, 1});
+    platforms.push_back(
+        {.name = "ram",
+         .group = "thing",
+         .path = {{.offset = Vec3::Zero(), .speed = speed}, {.offset = Vec3(way, 0, 0), .speed = speed}},
+         .repeat = PathRepeat::once});
+    const Walked walked = walk_with("300 wish 0,0\n");
+    expect_event(walked, "pushed", "`thing`");
+    EXPECT_EQ(walked.of("slid"), nullptr) << events_text(walked.events, 1.0 / 60);
+}
+
+TEST_P(Events, AJumpThatFallsShortNamesTheGroundAhead) {
+    const double length = maker.between(5.2, 5.8);
+    Shapes pit;
+    pit.group("floor").material("plaster").box({-8, -6, -4}, {8, 0, 5});
+    pit.group("pit").box({-8, -6, -4 - length}, {8, -maker.between(2.0, 4.0), -4});
+    pit.group("thing").box({-8, -6, -40}, {8, 0, -4 - length});
+    shapes = pit;
+    expect_event(walk_with("15 wish 0,0\n43 wish 0,-1\n60 wish 0,-1 jump\n40 wish 0,-1\n"), "fell short",
+                 "short of `thing`");
 }
 
 TEST_P(Events, AWalkOnFlatGroundIsNoEvent) {

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "default_snags.h"
+#include "other_snags.h"
 #include "slipface/base/files.h"
 #include "slipface/scenes/demo.h"
 #include "slipface/sim/cures.h"
@@ -98,6 +99,8 @@ TEST(Sentences, AreTheOnesThatWereRead) {
     for (const Snag& snag : maker.make())
         look(snag.level, snag.level.movement, snag.tape, seen);
     for (const Snag& snag : maker.make_under_defaults())
+        look(snag.level, snag.level.movement, snag.tape, seen);
+    for (const Snag& snag : maker.make_others())
         look(snag.level, snag.level.movement, snag.tape, seen);
 
     const std::string list = sentence_list(seen);

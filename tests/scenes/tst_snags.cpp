@@ -11,6 +11,7 @@
 #include <map>
 
 #include "default_snags.h"
+#include "other_snags.h"
 #include "slipface/repair/repairs.h"
 
 namespace slipface::test {
@@ -50,6 +51,13 @@ bool got_on(const Snag& snag, const Walk& walk) {
            walk.highest_y > snag.passed_y && walk.lowest_y > snag.lowest_y;
 }
 
+bool tells_size(const Snag& snag, const Stop& stop) {
+    constexpr double rounded = 0.03;
+    return snag.size_m == 0.0 || std::ranges::any_of(stop.numbers, [&](const StoryNumber& number) {
+               return std::abs(number.value - snag.size_m) < rounded;
+           });
+}
+
 struct Score {
     int snags = 0, headlines = 0, cures = 0;
 };
@@ -67,12 +75,14 @@ void judge(const Snag& snag, Score& score) {
         const bool face =
             snag.group.empty() || (stop->loss.face != no_id && stop->loss.face < mesh.face_count() &&
                                    mesh.groups[mesh.face_group[stop->loss.face]] == snag.group);
-        right = face && snag.causes.contains(stop->loss.cause);
+        right = face && snag.causes.contains(stop->loss.cause) &&
+                headline.find(snag.headline) != std::string::npos && tells_size(snag, *stop);
         if (!as_is.cures.empty()) {
             cure = cure_text(as_is.cures.front());
             Level changed = snag.level;
             EXPECT_TRUE(apply_cure(changed, as_is.cures.front()).ok());
-            cured = got_on(snag, walk(changed, snag.tape, false));
+            cured =
+                got_on(snag, walk(changed, snag.tape, false)) && cure.find(snag.cure) != std::string::npos;
         }
     }
     score.headlines += right;
@@ -93,6 +103,8 @@ TEST(Snags, TheHeadlineIsRightAndTheFirstCureWorks) {
         SnagMaker maker(seed);
         std::vector<Snag> snags = maker.make();
         for (Snag& snag : maker.make_under_defaults())
+            snags.push_back(std::move(snag));
+        for (Snag& snag : maker.make_others())
             snags.push_back(std::move(snag));
         for (const Snag& snag : snags) {
             Score one;

@@ -136,8 +136,8 @@ void fly_with(Mover& mover, PlayerState& state) {
 }
 
 // Where the platform alone would leave a player that is at `position` and was at `before` when the tick
-// began.
-Vec3 pushed_by(Mover& mover, const MovingPart& part, const Vec3& before, const Vec3& position) {
+// began; `face` is the last one that it met.
+Vec3 pushed_by(Mover& mover, const MovingPart& part, const Vec3& before, const Vec3& position, FaceId& face) {
     const double skin = mover.settings.skin;
     const Way way(mover, part);
     const SeenWorld world = seen_at(mover, index_of(mover, part), way.end);
@@ -152,6 +152,7 @@ Vec3 pushed_by(Mover& mover, const MovingPart& part, const Vec3& before, const V
         ++mover.sweeps;
         if (!hit) return at + left;
         note_contact(mover, Pass::probe, *hit, index_of(mover, part));
+        face = hit->face;
         const double into = std::max(-hit->normal.dot(direction), 0.0);
         const double distance = hit->t * reach;
         const double stop = into > 0.0 ? distance - skin / into : 0.0;
@@ -167,13 +168,14 @@ Vec3 pushed_by(Mover& mover, const MovingPart& part, const Vec3& before, const V
 void yield_to(Mover& mover, std::uint32_t index, const Vec3& before) {
     const MovingPart& part = mover.scene.platforms[index];
     if (!moves(part)) return;
-    const Vec3 target = pushed_by(mover, part, before, mover.position);
+    FaceId face = no_id;
+    const Vec3 target = pushed_by(mover, part, before, mover.position, face);
     const Vec3 push = target - mover.position;
     if (!(push.norm() > 1e-9)) return;
     mover.ignored_platform = index;
     collide_and_slide(mover, Pass::slide, push);
     mover.ignored_platform = no_id;
-    decide(mover, Decision::platform_pushed, {.value = push.norm()});
+    decide(mover, Decision::platform_pushed, {.value = push.norm()}, face);
 }
 
 // What a platform does to a player that could not give way: it overlaps it, or it has passed through its

@@ -58,6 +58,9 @@ enum class FallCause : std::uint8_t {
     not_solid,  // the type of what lay below is not solid
     one_sided,  // what lay below holds from its other side
     cut_short,  // something was in the way of a jump
+    by_type,    // on plain ground the player would have stayed: a belt, ice, a trampoline
+    pushed,     // off the ground: by a moving part of the level, or by what stands in a platform's way
+    too_short,  // the jump did not reach the ground ahead
 };
 
 struct Stop {
@@ -69,6 +72,7 @@ struct Stop {
     double wished_m = 0.0;            // what the stick requested in these ticks
     Loss loss = {};
     FallCause fall = FallCause::unknown;
+    double short_m = 0.0, low_m = 0.0;  // what was missing of a jump, along and up
     bool blind_after = false;  // the player was sent back, and the stick went on as if it had not been
     double feet_m = 0.0;       // the height of the feet at the tick `worst`, in the level's coordinates
     std::vector<FaceId> held_by = {};  // without these faces the player gets on; empty: not known
