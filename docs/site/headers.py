@@ -66,7 +66,7 @@ class Header:
     def __init__(self, path, element, refid):
         self.path, self.refid = path, refid  # "slipface/movement/step.h"
         self.page = path.removesuffix(".h") + ".html"
-        self.module, self.name = path.split("/")[1:]
+        self.module, self.name = path.split("/")[-2:]
         lines = [Line(e) for e in element.find("programlisting")]
         pragma = next((i for i, line in enumerate(lines) if line.bare == "#pragma once"), -1)
         self.about = [line.bare for line in lines[:max(pragma, 0)] if line.is_comment]
