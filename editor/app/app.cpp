@@ -110,6 +110,7 @@ App::App(const AppOptions& options) : impl_(std::make_unique<Impl>(options)) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
+    io.MouseDoubleClickTime = 0.5f;  // s, as desktops have it; frames of a slow machine take a part of it
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_NavNoCaptureKeyboard;
     io.ConfigInputTextCursorBlink = false;
     io.ConfigWindowsMoveFromTitleBarOnly = true;

@@ -214,7 +214,7 @@ void surface_editor(Editor& editor) {
         add_surface_type(editor);
     if (!editor.brush || *editor.brush >= document.level().surfaces.size()) return;
     const std::string problem = document.removal_problem(*editor.brush);
-    ImGui::SameLine();
+    ui::flow(ui::button_width("Remove type"));
     const std::string tooltip =
         problem.empty() ? "Remove this type from the level" : "Cannot be removed: " + problem;
     if (ui::button("Remove type", tooltip.c_str(), problem.empty())) {

@@ -134,7 +134,9 @@ TEST_P(ByHand, ClicksSlowQuickAndShaking) {
                 [](App& app) { return app.editor().document->selection().size(); });
         };
         person.key("q");
-        const ImVec2 at = in_view(person);
+        // On a floor of many faces: in the middle of `easy` is a turntable of one.
+        const ImVec2 at =
+            std::getenv("SLIPFACE_WINDOW_LEVEL") ? in_view(person, 0.4f, 0.75f) : in_view(person);
         person.click(at);
         EXPECT_EQ(selected(), 1u);
         person.rest(1.2);
