@@ -37,18 +37,14 @@ void import_run(Editor& editor, const std::filesystem::path& path) {
 
 const std::vector<RecordedFault>* imported_faults(Editor& editor) {
     if (!editor.document || !editor.imported.run) return nullptr;
-    const Result<std::vector<RecordedFault>>* const found =
-        seek(editor.imported.faults, {editor.document->face_revision()},
-             {editor.session.beside, editor.session.wake}, [&] {
-                 return [level = editor.document->snapshot(),
-                         run = editor.imported.run](Progress&) -> Result<std::vector<RecordedFault>> {
-                     Result<LevelScene> scene = LevelScene::build(level);
-                     if (!scene) return scene.error();
-                     return find_recorded_faults(level, *scene, *run, level.movement);
-                 };
-             });
-    static const std::vector<RecordedFault> none;
-    return found == nullptr ? nullptr : *found ? &**found : &none;
+    return seek(editor.imported.faults, {editor.document->face_revision()}, search_wait(editor), [&] {
+        return [level = editor.document->snapshot(),
+                run = editor.imported.run](Progress&) -> Result<std::vector<RecordedFault>> {
+            Result<LevelScene> scene = LevelScene::build(level);
+            if (!scene) return scene.error();
+            return find_recorded_faults(level, *scene, *run, level.movement);
+        };
+    });
 }
 
 void go_to_fault(Editor& editor, const RecordedFault& fault) {

@@ -20,20 +20,21 @@ struct Search {
         bool operator==(const Key&) const = default;
     } key = {};
     std::unique_ptr<Background<Result<T>>> work = {};
-    std::optional<Result<T>> found = {};
+    std::optional<T> found = {};
 };
 
 // How the editor waits for searches.
 struct SearchWait {
     bool beside = false;         // frames go on while the search runs, else the first call waits for it
     std::function<void()> wake;  // called once it is ready
+    std::function<void(const Error&)> report;  // called once where it failed
 };
 
-// What was found for this key. Null while the search, which this starts, is running. `begin` makes the work,
-// which must own all that it uses.
+// What was found for this key; T{} where the search failed. Null while the search, which this starts, is
+// running. `begin` makes the work, which must own all that it uses.
 template <class T, class Begin>
-const Result<T>* seek(Search<T>& search, const typename Search<T>::Key& key, const SearchWait& wait,
-                      const Begin& begin) {
+const T* seek(Search<T>& search, const typename Search<T>::Key& key, const SearchWait& wait,
+              const Begin& begin) {
     if (!search.work || !(search.key == key)) {
         search.work.reset();
         search = Search<T>{.key = key};
@@ -41,7 +42,9 @@ const Result<T>* seek(Search<T>& search, const typename Search<T>::Key& key, con
     }
     if (!search.found) {
         if (wait.beside && !search.work->ready()) return nullptr;
-        search.found = search.work->take();
+        Result<T> found = search.work->take();
+        if (!found) wait.report(found.error());
+        search.found = found ? std::move(*found) : T{};
     }
     return &*search.found;
 }

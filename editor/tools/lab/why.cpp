@@ -7,21 +7,11 @@
 
 namespace slipface {
 
-namespace {
-
-// Empty where the search failed; the error is reported once.
-template <class T, class Begin>
-const T* found_or_reported(Editor& editor, Search<T>& search, const typename Search<T>::Key& key,
-                           const Begin& begin) {
-    const bool fresh = !search.found || !(search.key == key);
-    const Result<T>* const found = seek(search, key, {editor.session.beside, editor.session.wake}, begin);
-    if (found == nullptr || *found) return found != nullptr ? &**found : nullptr;
-    if (fresh) editor.message = MessageDialog{"Cannot examine the run", found->error().text(), {}};
-    static const T none{};
-    return &none;
+SearchWait search_wait(Editor& editor) {
+    return {editor.session.beside, editor.session.wake, [&editor](const Error& error) {
+                editor.message = MessageDialog{"Cannot examine the run", error.text(), {}};
+            }};
 }
-
-}  // namespace
 
 bool is_shown(const Why& why, const RunEvent& event) {
     return !why.hidden_words.contains(event.word);
@@ -30,7 +20,7 @@ bool is_shown(const Why& why, const RunEvent& event) {
 const RunFindings* findings(Editor& editor) {
     const Lab& lab = editor.lab;
     if (!editor.document || !lab.has_tape() || !lab.runs()[lab.explained()].run.complete()) return nullptr;
-    return found_or_reported(editor, editor.why.findings, {lab.revision(), lab.explained()}, [&] {
+    return seek(editor.why.findings, {lab.revision(), lab.explained()}, search_wait(editor), [&] {
         return [level = editor.document->snapshot(),
                 run = lab.runs()[lab.explained()].run](Progress& progress) -> Result<RunFindings> {
             const auto cancelled = [&] { return progress.cancelled(); };
@@ -60,7 +50,7 @@ const std::vector<Cure>* cures_at_cursor(Editor& editor) {
             return find_cures_and_repairs(level, run, at, [&] { return progress.cancelled(); });
         };
     };
-    return found_or_reported(editor, editor.why.cures, {lab.revision(), lab.explained(), stop->first}, begin);
+    return seek(editor.why.cures, {lab.revision(), lab.explained(), stop->first}, search_wait(editor), begin);
 }
 
 void go_to_stop(Editor& editor, const Stop& stop) {

@@ -28,6 +28,8 @@ struct Why {
         headline_from;  // the cursor's tick, from which it goes to the headline once it is found
 };
 
+// For searches about runs: a failure is a MessageDialog.
+SearchWait search_wait(Editor& editor);
 bool is_shown(const Why& why, const RunEvent& event);
 
 // What happened in the selected run. Null: it is not complete yet, or the search, which this starts, is
