@@ -76,7 +76,7 @@ std::string report_to_html(const Report& report, const fs::path& out) {
         entry.erase("reached");
         entry.erase("there");
         if (entry["state"] == "same") continue;
-        const std::string name = entry["name"];
+        const auto name = entry["name"].get<std::string>();
         if (embedded) {
             entry.update(images_json(name, out));
         } else {

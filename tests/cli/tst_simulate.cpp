@@ -36,7 +36,7 @@ TEST_F(Simulate, JsonHoldsTheRun) {
     EXPECT_EQ(json["final_state"]["grounded"], false);
     std::vector<std::string> kinds;
     for (const auto& event : json["events"])
-        kinds.push_back(event["kind"]);
+        kinds.push_back(event["kind"].get<std::string>());
     EXPECT_THAT(kinds, testing::ElementsAre("land", "jump"));
     EXPECT_EQ(json["events"][1]["tick"], 60);
     EXPECT_TRUE(err.str().empty()) << err.str();
@@ -57,9 +57,9 @@ TEST_F(Simulate, APresetComesBeforeTheTapesSettings) {
     const std::string tape = "settings defaults\nstart 0,5,0\n30\n";
     const std::string path = write("preset.tape", "slipface-tape 1\n" + tape);
     ASSERT_EQ(run(tape), cli::exit_fine) << err.str();
-    const double fallen = result()["final_state"]["velocity"][1];
+    const auto fallen = result()["final_state"]["velocity"][1].get<double>();
     ASSERT_EQ(run(tape, {"gravity=9.81"}), cli::exit_fine) << err.str();
-    const double slower = result()["final_state"]["velocity"][1];
+    const auto slower = result()["final_state"]["velocity"][1].get<double>();
     out.str("");
     ASSERT_EQ(
         cli::run_simulate({.level = level, .tape = path, .json = true, .preset = "simulation"}, out, err),
@@ -92,7 +92,7 @@ TEST_F(Simulate, TellsWhatHappenedInATick) {
 TEST_F(Simulate, ATapeThatNamesItsEndIsATest) {
     const std::string tape = "settings defaults\n60 wish 1,0\n";
     ASSERT_EQ(run(tape), cli::exit_fine) << err.str();
-    const std::string hash = result()["end_hash"];
+    const auto hash = result()["end_hash"].get<std::string>();
     EXPECT_EQ(run(tape + "end " + hash + "\n"), cli::exit_fine) << err.str();
     EXPECT_EQ(run(tape + "end 0123456789abcdef\n"), cli::exit_check_failed);
     EXPECT_THAT(err.str(), HasSubstr("expected 0123456789abcdef"));

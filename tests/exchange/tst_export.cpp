@@ -386,7 +386,8 @@ TEST_F(GltfObjects, BodiesInTheExtensionsOfEngines) {
         EXPECT_EQ(node["extras"]["slipface_type"], holder["extras"]["slipface_type"]);
         for (const auto& child : holder["children"])
             EXPECT_FALSE(nodes[child.get<std::size_t>()].contains("mesh")) << "would be part of the shape";
-        const double friction = materials[khr["physicsMaterial"].get<std::size_t>()]["dynamicFriction"];
+        const auto friction =
+            materials[khr["physicsMaterial"].get<std::size_t>()]["dynamicFriction"].get<double>();
         const bool ice = node["extras"]["slipface_type"] == "ice";
         EXPECT_EQ(friction, ice ? 0.0 : 1.0) << node["extras"]["slipface_type"];
     }

@@ -266,7 +266,8 @@ TEST_F(ImportGltf, EveryFormOfAMeshIsWhatItSays) {
             }
             if (file.root["nodes"][node].contains("children")) {
                 const json& children = file.root["nodes"][node]["children"];
-                open.insert(open.end(), children.rbegin(), children.rend());
+                for (auto child = children.rbegin(); child != children.rend(); ++child)
+                    open.push_back(child->get<std::size_t>());
             }
         }
         const auto result = import_text(file.text());
@@ -477,7 +478,7 @@ TEST_F(ImportGltf, NormalisedTexturePositionsAndEscapedNamesAreRead) {
     file.root["nodes"] = json::array({{{"mesh", 0}}});
     std::string text = file.text();
     json root = json::parse(text);
-    const std::string uri = root["buffers"][0]["uri"];
+    const auto uri = root["buffers"][0]["uri"].get<std::string>();
     write("my file.bin",
           *from_base64(std::string_view(uri).substr(uri.find(',') + 1,
                                                     uri.find('=') == std::string::npos

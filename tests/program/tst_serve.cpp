@@ -60,7 +60,7 @@ TEST(Serve, WalksAtTheSpeedOfItsSettingsAtEveryRate) {
             lines += line(step("a", 1.0 / rate, {1, 0}));
         const std::vector<Json> answers = serve(lines);
         // 5 m/s in the last of three seconds, when it has long got under way.
-        const double before = answers[static_cast<std::size_t>(2 * rate)]["feet"][0];
+        const auto before = answers[static_cast<std::size_t>(2 * rate)]["feet"][0].get<double>();
         EXPECT_NEAR(answers.back()["feet"][0].get<double>() - before, 5.0, 0.01);
         EXPECT_NEAR(answers.back()["velocity"][0].get<double>(), 5.0, 0.01);
         EXPECT_EQ(answers.back()["grounded"], true);

@@ -55,10 +55,10 @@ class GlGraphicsTest : public test::DrawingTest {
         return draw(renderer, camera, width, height, style, overlay);
     }
 
-    static GeometricManager& add(World& world, Level level) {
+    static GeometricManager* add(World& world, Level level) {
         auto manager = GeometricManager::make(std::move(level));
         EXPECT_TRUE(manager.ok());
-        return static_cast<GeometricManager&>(world.add_manager(std::move(*manager)));
+        return static_cast<GeometricManager*>(&world.add_manager(std::move(*manager)));
     }
 
     static Image frame(GlGraphics& graphics, World& world, const Camera& camera) {
@@ -74,7 +74,7 @@ class GlGraphicsTest : public test::DrawingTest {
 
 TEST_F(GlGraphicsTest, AWorldsLevelIsThePictureThatLevelRendererMakes) {
     World world;
-    const Level& level = add(world, courtyard()).level();
+    const Level& level = add(world, courtyard())->level();
     const Camera camera = *named_view("iso", level.mesh->bounds, aspect);
     GlGraphics graphics(gl());
     std::vector<Image> images;
@@ -95,7 +95,7 @@ TEST_F(GlGraphicsTest, AWorldsLevelIsThePictureThatLevelRendererMakes) {
 
 TEST_F(GlGraphicsTest, ThePlayerShowsWhereItStandsAndLeavesTheRestAlone) {
     World world;
-    GeometricManager& geometry = add(world, courtyard());
+    GeometricManager& geometry = *add(world, courtyard());
     const Camera camera = *named_view("iso", geometry.level().mesh->bounds, aspect);
     GlGraphics graphics(gl());
     const Image without = frame(graphics, world, camera);
@@ -124,7 +124,7 @@ TEST_F(GlGraphicsTest, ThePlayerShowsWhereItStandsAndLeavesTheRestAlone) {
 
 TEST_F(GlGraphicsTest, PlatformsAreDrawnWhereTheyAreNow) {
     World world;
-    const GeometricManager& geometry = add(world, riding_courtyard());
+    const GeometricManager& geometry = *add(world, riding_courtyard());
     const Camera camera = *named_view("iso", geometry.level().mesh->bounds, aspect);
     GlGraphics graphics(gl());
     const Image before = frame(graphics, world, camera);

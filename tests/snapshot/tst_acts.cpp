@@ -173,7 +173,7 @@ TEST_P(Acts, AChangeIsNamedByWhatWasDone) {
             return fmt::format("prop `{}` moved 2.5 m", prop["name"].get<std::string>());
         },
         [&](World& w) {
-            const std::string name = w.file["props"][0]["name"];
+            const auto name = w.file["props"][0]["name"].get<std::string>();
             w.file["props"].erase(0);
             return fmt::format("prop `{}` was removed", name);
         },
@@ -312,7 +312,7 @@ TEST_P(Acts, FacesSurviveTheirTextAndDamageIsRefused) {
     ASSERT_TRUE(back);
     EXPECT_EQ(face_list_json(*back)["hash"], json["hash"]);
     EXPECT_EQ(back->size(), faces.size());
-    const std::string text = json["packed"];
+    const auto text = json["packed"].get<std::string>();
     for (int i = 0; i < 200; ++i) {
         std::string damaged = text;
         const auto at = static_cast<std::size_t>(draw_.below(static_cast<int>(damaged.size())));
