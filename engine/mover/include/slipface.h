@@ -35,7 +35,7 @@ extern "C" {
 /* The version of these declarations. A change that breaks a caller raises it, and the library's SONAME. */
 #define SLIPFACE_INTERFACE 1
 SLIPFACE_API uint32_t slipface_interface(void);  /* that of the library which is loaded */
-SLIPFACE_API const char* slipface_version(void); /* "0.1.0" */
+SLIPFACE_API const char* slipface_version(void); /* "0.2.0" */
 
 typedef enum slipface_status {
     SLIPFACE_OK = 0,

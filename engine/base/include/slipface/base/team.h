@@ -33,7 +33,7 @@ std::size_t doer_of(std::size_t item, std::size_t size);
 // The first error of any process, by rank and with its name, on all of them.
 Status agree(Team& team, const Status& mine);
 
-// What must be equal on all processes, such as {"program", "0.1.0 77aa..."}. The error names the first
+// What must be equal on all processes, such as {"program", "0.2.0 77aa..."}. The error names the first
 // process that differs from rank 0, and in what.
 Status agree_on(Team& team, const std::vector<std::pair<std::string, std::string>>& facts);
 

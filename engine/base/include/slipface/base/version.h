@@ -3,7 +3,7 @@
 
 namespace slipface {
 
-// MAJOR.MINOR.PATCH of the build: "0.1.0".
+// MAJOR.MINOR.PATCH of the build: "0.2.0".
 const char* program_version();
 
 }  // namespace slipface
