@@ -4,11 +4,10 @@
 #   scripts/by_hand_test.sh [OUT] [BUILD]
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. scripts/common.sh
 out=$(realpath -m "${1:-out/by-hand}")
 test=$(realpath "${2:-build/release}/tests/tests_window")
-for tool in Xvfb xdotool import montage; do
-    command -v "$tool" >/dev/null || { echo "$tool is missing: apt-get install xvfb xdotool imagemagick"; exit 64; }
-done
+install_packages xvfb xdotool imagemagick
 rm -rf "$out"
 mkdir -p "$out"
 work=$(mktemp -d)

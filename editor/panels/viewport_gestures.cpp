@@ -13,8 +13,7 @@
 namespace slipface {
 namespace {
 
-constexpr float click_slop = 4.0f;  // design pixels that the mouse may move during a click
-constexpr double longest_click_s = 0.6;
+constexpr float click_slop = 4.0f;      // design pixels that the mouse may move during a click
 constexpr double stroke_spacing = 4.0;  // pixels between the points where a stroke paints
 constexpr int max_stroke_points = 400;  // of one frame
 
@@ -57,7 +56,6 @@ void begin(ViewportState& state, const Editor& editor, Gesture gesture, ImVec2 m
     state.gesture = gesture;
     state.document = editor.document.get();
     state.pressed_at = state.last_mouse = mouse;
-    state.pressed_s = ImGui::GetTime();
     state.flown = false;
     state.probe_before = editor.probe;
 }
@@ -206,10 +204,11 @@ Vec3 flying_direction(const HeldKeys& held) {
     return {axis(held.right, held.left), axis(held.up, held.down), axis(held.forward, held.back)};
 }
 
-// The right button was pressed for flying once the mouse or a key moves, the wheel turns, or time passes.
+// The right button was pressed for flying once the mouse or a key moves or the wheel turns. How long it is
+// held says nothing: hands are slow, and so are frames of large levels.
 bool begins_to_fly(const ViewportState& state, const HeldKeys& held, ImVec2 mouse) {
     return beyond_click(state, mouse) || !flying_direction(held).isZero() ||
-           ImGui::GetIO().MouseWheel != 0.0f || ImGui::GetTime() - state.pressed_s > longest_click_s;
+           ImGui::GetIO().MouseWheel != 0.0f;
 }
 
 // The commands of the context menu act on the face that was clicked, which is selected for that.

@@ -56,7 +56,7 @@ std::string viewport_hint(const Editor& editor) {
     switch (editor.tool) {
         case Tool::select: hint = select_hint(editor); break;
         case Tool::paint:
-            hint = "Click: paint " + type + "\u00b7 Drag: paint more \u00b7 Alt+click: pick type";
+            hint = "Click: paint " + type + " \u00b7 Drag: paint more \u00b7 Alt+click: pick type";
             break;
         case Tool::fill: hint = "Click: fill with " + type + " \u00b7 Alt+click: pick type"; break;
         case Tool::probe:

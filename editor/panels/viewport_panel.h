@@ -43,7 +43,6 @@ struct ViewportState {
     const Document* document = nullptr;  // the document in which the gesture began
     ImVec2 last_mouse{0, 0};
     ImVec2 pressed_at{0, 0};
-    double pressed_s = 0.0;   // when, on Dear ImGui's clock
     bool flown = false;       // the right button is held for flying, not for a click
     bool wants_menu = false;  // the context menu opens in this frame
     Probe probe_before;       // restored when the gesture is cancelled

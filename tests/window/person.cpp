@@ -127,9 +127,14 @@ bool Person::wait_for(const std::function<bool(App&)>& question) {
 
 void Person::settle() {
     rest(0.03);
-    for (const double end = now_s() + longest_wait_s; now_s() < end; rest(0.03)) {
+    const auto still = [&] {
         const std::scoped_lock lock(questions_->mutex);
-        if (questions_->frames >= 0 && now_s() - questions_->last_frame_s > still_s) return;
+        return questions_->frames >= 0 && now_s() - questions_->last_frame_s > still_s;
+    };
+    for (const double end = now_s() + longest_wait_s; now_s() < end; rest(0.03)) {
+        if (!still()) continue;
+        look([](App&) {});  // a long frame may be in the making
+        if (still()) return;
     }
 }
 
@@ -228,6 +233,13 @@ void Person::type_after(const std::string& key, const std::string& text) {
     settle();
 }
 
+bool Person::comes(std::string_view path) {
+    return wait_for([&](App&) {
+        const auto found = ui::widgets().find(path);
+        return found != ui::widgets().end() && found->second.visible;
+    });
+}
+
 bool Person::shows(std::string_view path) {
     return truth([&](App&) {
         const auto found = ui::widgets().find(path);
@@ -236,11 +248,7 @@ bool Person::shows(std::string_view path) {
 }
 
 ImVec2 Person::widget(std::string_view path) {
-    const bool seen = wait_for([&](App&) {
-        const auto found = ui::widgets().find(path);
-        return found != ui::widgets().end() && found->second.visible;
-    });
-    EXPECT_TRUE(seen) << path << " is not in sight";
+    EXPECT_TRUE(comes(path)) << path << " is not in sight";
     return ask<ImVec2>([&](App&) {
         const auto found = ui::widgets().find(path);
         return found == ui::widgets().end() ? at_ : found->second.centre();

@@ -53,7 +53,8 @@ class Person {
 
     // The widget's centre once it is drawn and in sight; fails the test if it does not come.
     ImVec2 widget(std::string_view path);
-    bool shows(std::string_view path);
+    bool comes(std::string_view path);  // soon
+    bool shows(std::string_view path);  // now
     void click_widget(std::string_view path) { click(widget(path)); }
     // Clicks through "Edit/Make it/Make it ice".
     void click_menu(std::string_view path);

@@ -112,7 +112,7 @@ TEST_P(ByHand, AWindowThatIsSearchedHasTheKeyboardAtOnce) {
                 person.ask<std::uint64_t>([](App& app) { return app.editor().document->revision(); });
             const auto tool = person.ask<Tool>([](App& app) { return app.editor().tool; });
             person.type_after(key, "bound");  // nobody waits for a window
-            EXPECT_TRUE(person.shows(path));
+            EXPECT_TRUE(person.comes(path));
             EXPECT_TRUE(person.truth([](App&) { return ui::typing(); })) << path;
             EXPECT_EQ(person.ask<Tool>([](App& app) { return app.editor().tool; }), tool);
             EXPECT_EQ(person.ask<std::uint64_t>([](App& app) { return app.editor().document->revision(); }),
@@ -148,7 +148,7 @@ TEST_P(ByHand, ClicksSlowQuickAndShaking) {
         // The context menu, and what it does.
         const auto view = person.ask<ViewCamera>([](App& app) { return app.editor().view; });
         person.click(in_view(person, 0.55f, 0.55f), 3);
-        EXPECT_TRUE(person.shows("View menu/Set spawn point"));
+        EXPECT_TRUE(person.comes("View menu/Set spawn point"));
         EXPECT_TRUE(view == person.ask<ViewCamera>([](App& app) { return app.editor().view; }));
         expect_tidy(person, "view menu");
         person.picture("context-menu");
