@@ -405,7 +405,7 @@ std::string table_row(const char* name, const Outcome& without, const Outcome& w
     return row + " |\n";
 }
 
-// The table stands in docs/matching.md and is compared with it.
+// The table stands in docs/measurements.md and is compared with it.
 TEST(Order, ProvesWhatPlacesContradict) {
     std::string table =
         "| edit | painted faces | right, without | guesses | listed | silent | right, with tokens | guesses "
@@ -429,9 +429,9 @@ TEST(Order, ProvesWhatPlacesContradict) {
         EXPECT_TRUE(!kind.proved || 100 * with.guessed <= with.painted) << kind.name;
         EXPECT_GE(with.right_if_asked, with.edits - with.edits / 10) << kind.name;
     }
-    const Result<std::string> page = read_file(SLIPFACE_SOURCE_DIR "/docs/matching.md");
+    const Result<std::string> page = read_file(SLIPFACE_SOURCE_DIR "/docs/measurements.md");
     ASSERT_TRUE(page) << page.error().text();
-    EXPECT_NE(page->find(table), std::string::npos) << "docs/matching.md should show\n" << table;
+    EXPECT_NE(page->find(table), std::string::npos) << "docs/measurements.md should show\n" << table;
 }
 
 // Reading takes 0.07 s where nothing is left to search for.

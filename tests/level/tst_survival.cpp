@@ -1,5 +1,5 @@
 // What painted faces survive: each thing that a modelling tool does to a level, and what came of the paint.
-// The table stands in docs/matching.md and is compared with it here.
+// The table stands in docs/measurements.md and is compared with it here.
 #include <fmt/format.h>
 
 #include <functional>
@@ -161,9 +161,9 @@ TEST(Survival, TableOfTheDocumentation) {
                              loaded.match.exact, loaded.match.by_plane, loaded.match.by_nearest,
                              loaded.match.orphaned, wrong);
     }
-    const Result<std::string> page = read_file(SLIPFACE_SOURCE_DIR "/docs/matching.md");
+    const Result<std::string> page = read_file(SLIPFACE_SOURCE_DIR "/docs/measurements.md");
     ASSERT_TRUE(page) << page.error().text();
-    EXPECT_NE(page->find(table), std::string::npos) << "docs/matching.md should show\n" << table;
+    EXPECT_NE(page->find(table), std::string::npos) << "docs/measurements.md should show\n" << table;
 }
 
 }  // namespace
