@@ -21,7 +21,7 @@ struct DemoOptions {
 
 int list_demos() {
     for (const DemoInfo& info : demo_table())
-        print_row(std::cout, info.name, info.look_at);
+        print_row(std::cout, info.name, sentences_of(info));
     return exit_fine;
 }
 

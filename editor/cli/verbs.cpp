@@ -152,6 +152,7 @@ void add_data_verbs(CLI::App& app, int& exit_code) {
     add_audit_verb(app, exit_code);
     add_reach_verb(app, exit_code);
     add_demo_verbs(app, exit_code);
+    add_grade_verb(app, exit_code);
     add_doctor(app, exit_code);
     add_exchange_verbs(app, exit_code);
     add_bake_light_verb(app, exit_code);

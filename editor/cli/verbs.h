@@ -99,6 +99,20 @@ int run_compare(const CompareOptions& options, std::ostream& out, std::ostream& 
 // slipface why LEVEL, slipface compare LEVEL.
 void add_why_verbs(CLI::App& app, int& exit_code);
 
+struct GradeOptions {
+    std::filesystem::path level;               // its goals, settings and spawns decide
+    std::vector<std::filesystem::path> files;  // tapes, and runs of other controllers
+    std::vector<std::string> settings = {};    // "name=value"; graded under these in place of the level's
+    std::vector<std::string> allow = {};       // settings that a tape may change, and "mover"
+};
+
+// One row per file. exit_fine if each is at every goal to reach and at none never to be at, and was made
+// under the graded settings from a spawn of the level.
+int run_grade(const GradeOptions& options, std::ostream& out, std::ostream& err);
+
+// slipface grade LEVEL RUN...
+void add_grade_verb(CLI::App& app, int& exit_code);
+
 // slipface serve: steps players for another program (docs/course.md).
 void add_serve_verb(CLI::App& app, int& exit_code);
 

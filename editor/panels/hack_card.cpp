@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "panels/property_rows.h"
@@ -63,8 +64,9 @@ struct Explained {
     std::vector<FormulaNumber> numbers;
     std::string sentence;
 };
-std::optional<Explained> explain(const SettingInfo& info, const TickTrace& trace, const StoryNames& names) {
-    Explained explained{trace.tick, formula_numbers(info.name, trace, names), {}};
+std::optional<Explained> explain(const SettingInfo& info, const FormulaInfo& formula, const TickTrace& trace,
+                                 const StoryNames& names) {
+    Explained explained{trace.tick, formula_numbers(formula, trace, names), {}};
     if (explained.numbers.empty()) return std::nullopt;
     for (const StoryLine& line : describe(trace, names))
         if (line.hack == &info && line.tone != StoryTone::refused && explained.sentence.empty())
@@ -83,9 +85,9 @@ const BuiltDemo& built_demo(const DemoInfo& info) {
     std::unique_ptr<BuiltDemo>& entry = built[info.name];
     if (entry) return *entry;
     Demo demo = make_demo(info);
-    const auto tape = std::make_shared<const Tape>(demo.tape);
     const Vec3 start = demo.tape.start.value_or(demo.level.spawn);
-    TapeRun off = TapeRun::under(tape, demo.off, start), on = TapeRun::under(tape, demo.on, start);
+    TapeRun off = TapeRun::under(std::make_shared<const Tape>(demo.off_tape), demo.off, start);
+    TapeRun on = TapeRun::under(std::make_shared<const Tape>(demo.tape), demo.on, start);
     entry.reset(new BuiltDemo{std::move(demo), {std::move(off), std::move(on)}});
     for (std::size_t i = 0; i < 2; ++i) {
         Result<LevelScene> scene =
@@ -93,9 +95,12 @@ const BuiltDemo& built_demo(const DemoInfo& info) {
         if (!scene) continue;
         const TickScene ticks(*scene);
         entry->runs[i].advance(ticks, TapeRun::max_ticks);
-        if (i == 0) continue;
-        if (const std::optional<TickTrace> trace = telling_tick(entry->runs[i], ticks, info.hack))
-            entry->explained = explain(*find_setting(info.hack), *trace, StoryNames(entry->demo.level));
+        const FormulaInfo* const formula = formula_of(info);
+        if (i == 0 || formula == nullptr) continue;
+        if (const std::optional<TickTrace> trace = telling_tick(
+                entry->runs[i], ticks, info.hack, entry->demo.off, step_of(entry->demo.off_tape)))
+            entry->explained =
+                explain(*find_setting(info.hack), *formula, *trace, StoryNames(entry->demo.level));
     }
     return *entry;
 }
@@ -133,7 +138,7 @@ ImageRequest demo_image(const DemoInfo& info, bool on) {
 // The formula and what its symbols are: in the tick at the cursor where the hack acts there, else in the
 // demo's.
 void formula_rows(Editor& editor, const SettingInfo& info, const DemoInfo* demo) {
-    const FormulaInfo* formula = find_formula(info.name);
+    const FormulaInfo* formula = demo != nullptr ? formula_of(*demo) : find_formula(info.name);
     if (formula == nullptr) return;
     ImGui::Spacing();
     ImGui::PushTextWrapPos(0.0f);
@@ -141,7 +146,8 @@ void formula_rows(Editor& editor, const SettingInfo& info, const DemoInfo* demo)
     ImGui::PopTextWrapPos();
     std::optional<Explained> explained;
     if (live_run(editor) != nullptr && editor.lab.ticks() > 0 && editor.lab.complete())
-        explained = explain(info, editor.lab.trace(*editor.document), StoryNames(editor.document->level()));
+        explained =
+            explain(info, *formula, editor.lab.trace(*editor.document), StoryNames(editor.document->level()));
     const bool live = explained.has_value();
     if (!live && demo != nullptr) explained = built_demo(*demo).explained;
     if (!explained) return;
@@ -161,7 +167,6 @@ void images(Editor& editor, FrameContext& frame, const DemoInfo& info) {
     const float gap = 0.6f * em;
     const float width = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - gap));
     const ImVec2 size{width, std::floor(width * 9.0f / 16.0f)};
-    ui::muted_text(info.look_at);
     if (frame.images) {
         const float density = ImGui::GetIO().DisplayFramebufferScale.x;
         const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -190,25 +195,11 @@ void images(Editor& editor, FrameContext& frame, const DemoInfo& info) {
     }
 }
 
-// The hacks that have demos, in the order of the lecture.
-const std::vector<const DemoInfo*>& card_order() {
-    static const std::vector<const DemoInfo*> order = [] {
-        std::vector<const DemoInfo*> all;
-        for (const DemoInfo& info : demo_table())
-            if (std::none_of(all.begin(), all.end(), [&](const DemoInfo* other) {
-                    return std::string_view(other->hack) == info.hack;
-                }))
-                all.push_back(&info);
-        return all;
-    }();
-    return order;
-}
-
-// The card to show next.
+// The demo to show next: its place in demo_table(), which has the order of the lecture.
 int order_buttons(int shown) {
-    const std::vector<const DemoInfo*>& order = card_order();
+    const std::span<const DemoInfo> order = demo_table();
     const int last = static_cast<int>(order.size()) - 1;
-    const auto title = [&](int i) { return find_setting(order[static_cast<std::size_t>(i)]->hack)->label; };
+    const auto title = [&](int i) { return order[static_cast<std::size_t>(i)].title; };
     ImGui::Spacing();
     ImGui::Separator();
     int next = shown;
@@ -222,18 +213,31 @@ int order_buttons(int shown) {
     return next;
 }
 
+void wrapped(const char* text) {
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+}
+
+// What goes wrong and what cures it first; then how, and the lecture's own names.
 void card(Editor& editor, FrameContext& frame, const SettingInfo& info, const DemoInfo* demo) {
-    ui::heading(info.label);
-    const FormulaInfo* formula = find_formula(info.name);
+    ui::heading(demo != nullptr ? demo->title : info.label);
+    if (demo != nullptr) {
+        wrapped(demo->problem);
+        wrapped(demo->cure);
+    }
+    const FormulaInfo* formula = demo != nullptr ? formula_of(*demo) : find_formula(info.name);
     if (formula != nullptr && *formula->lecture != '\0')
         ui::muted_text(fmt::format("The lecture: {}", formula->lecture).c_str());
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(meaning_of(info).c_str());
-    ImGui::PopTextWrapPos();
+    if (demo != nullptr)
+        ui::muted_text(fmt::format("The setting {}. Off: {}.", info.label, off_of(*demo)).c_str());
+    else
+        wrapped(meaning_of(info).c_str());
     formula_rows(editor, info, demo);
     if (demo != nullptr) {
         ImGui::Spacing();
         images(editor, frame, *demo);
+        ui::muted_text(exercise_of(*demo).c_str());
     }
     ImGui::Spacing();
     effect_rows(editor, info);
@@ -270,12 +274,12 @@ void hack_cell(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     // "Next" turns the card to another hack, until it is closed.
     int& turned_to = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("turned to"), -1);
     if (ImGui::IsWindowAppearing()) turned_to = -1;
-    const std::vector<const DemoInfo*>& order = card_order();
-    const auto own = std::find_if(order.begin(), order.end(), [&](const DemoInfo* demo) {
-        return info.name == std::string_view(demo->hack);
+    const std::span<const DemoInfo> order = demo_table();
+    const auto own = std::find_if(order.begin(), order.end(), [&](const DemoInfo& demo) {
+        return info.name == std::string_view(demo.hack) && !plays_lecture(demo);
     });
     if (turned_to < 0 && own != order.end()) turned_to = static_cast<int>(own - order.begin());
-    const DemoInfo* demo = turned_to < 0 ? nullptr : order[static_cast<std::size_t>(turned_to)];
+    const DemoInfo* demo = turned_to < 0 ? nullptr : &order[static_cast<std::size_t>(turned_to)];
     card(editor, frame, demo == nullptr ? info : *find_setting(demo->hack), demo);
     if (demo != nullptr) turned_to = order_buttons(turned_to);
     ui::end(ImGui::EndPopup);

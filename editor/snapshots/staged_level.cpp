@@ -54,7 +54,7 @@ Result<std::unique_ptr<StagedLevel>> stage_demo(std::string_view text) {
     Demo demo = make_demo(*info);
     demo.level.movement = words[2] == "on" ? demo.on : demo.off;
     Result<std::unique_ptr<StagedLevel>> staged = stage_level(std::move(demo.level));
-    if (staged) (*staged)->tape = std::move(demo.tape);
+    if (staged) (*staged)->tape = words[2] == "on" ? std::move(demo.tape) : std::move(demo.off_tape);
     return staged;
 }
 

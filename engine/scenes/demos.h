@@ -4,7 +4,10 @@
 
 namespace slipface {
 
+inline constexpr double pi = 3.141592653589793;
+
 // One row per demo, with all that it shows; demo_table() joins them.
+std::span<const DemoInfo> lecture_demos();
 std::span<const DemoInfo> ground_demos();
 std::span<const DemoInfo> air_demos();
 std::span<const DemoInfo> move_demos();

@@ -20,8 +20,8 @@ Shapes ledges(double gap) {
 }
 
 const auto air_rows = std::to_array<DemoInfo>({
-    {"heightfield", "heightfield", "Heightfield",
-     "Off: the player falls through the terrain. On: the player walks on it.",
+    {"heightfield", "heightfield", "Heightfield", "Terrain that is only heights has no triangles to hit.",
+     "Lift the player to the height below it.",
      [] {
          MovementSettings on = basic_settings();
          constexpr int side = 33;
@@ -49,9 +49,8 @@ const auto air_rows = std::to_array<DemoInfo>({
              std::make_shared<const Heightfield>(make_heightfield(*demo.level.heightfield, image));
          return demo;
      }},
-    {"sectors", "sectors", "Sectors",
-     "A million metres from the origin. Off: coordinates are 6 cm apart, and rounding has moved the "
-     "posts of the gate too close. On: the player walks through as at the origin.",
+    {"sectors", "sectors", "Sectors", "A million metres out, rounded coordinates close a gate.",
+     "Compute in the coordinates of the player's sector.",
      [] {
          MovementSettings on = basic_settings();
          // A tilted floor of small tiles: a corner that is moved sideways is also too high or too low.
@@ -81,8 +80,7 @@ const auto air_rows = std::to_array<DemoInfo>({
          return demo;
      }},
     {"leave-mode", "leave_mode", "Velocity kept on leaving",
-     "A jump off a cart. Off: the cart's velocity is lost, and the player falls into the gap. On: the player "
-     "keeps it and reaches the other side.",
+     "A jump off a moving cart loses the cart's velocity.", "Keep the velocity of the ground that was left.",
      [] {
          MovementSettings on = basic_settings();
          Shapes shapes;
@@ -98,10 +96,10 @@ const auto air_rows = std::to_array<DemoInfo>({
          cart.path = {{.offset = {0, 0, 0}, .speed = 6.0}, {.offset = {0, 0, -6}, .speed = 6.0}};
          demo.level.platforms = {cart};
          return demo;
-     }},
-    {"coyote", "coyote", "Coyote time",
-     "Jump is pressed 3 ticks after the ledge. Off: the player falls into the gap. On: the player "
-     "reaches the other side.",
+     },
+     "leave_mode=none"},
+    {"coyote", "coyote", "Coyote time", "A jump that is pressed 3 ticks after the ledge is ignored.",
+     "For a moment after the ground, jump anyway.",
      [] {
          MovementSettings on = basic_settings();
          on.coyote = true;
@@ -110,8 +108,8 @@ const auto air_rows = std::to_array<DemoInfo>({
          return demo_of(ledges(4).level(), {0, standing_on_flat(on, 0), 6}, on,
                         "5 wish 0,0\n69 wish 0,-1\n30 wish 0,-1 jump\n30 wish 0,0\n", {11, 3, 1}, {0, 0, -2});
      }},
-    {"jump-buffer", "jump_buffer", "Jump buffer",
-     "Jump is pressed 4 ticks before landing. Off: the press is ignored. On: the jump starts on landing.",
+    {"jump-buffer", "jump_buffer", "Jump buffer", "A jump that is pressed 4 ticks before landing is ignored.",
+     "Remember the press, and jump on landing.",
      [] {
          MovementSettings on = basic_settings();
          on.jump_buffer = true;
@@ -126,9 +124,8 @@ const auto air_rows = std::to_array<DemoInfo>({
              "10 wish 0,0\n10 wish 0,-1\n1 wish 0,-1 jump\n43 wish 0,-1\n1 wish 0,-1 jump\n60 wish 0,-1\n",
              {11, 4, 0}, {0, 1, -2});
      }},
-    {"variable-jump", "variable_jump", "Variable jump height",
-     "The button is held for 6 ticks only. Off: the jump has its full height. On: a short hop under the "
-     "beam.",
+    {"variable-jump", "variable_jump", "Variable jump height", "A short press jumps as high as a long one.",
+     "Cut the upward speed when the button is released.",
      [] {
          MovementSettings on = basic_settings();
          on.variable_jump = true;
@@ -141,9 +138,7 @@ const auto air_rows = std::to_array<DemoInfo>({
                         "10 wish 0,0\n35 wish 0,-1\n6 wish 0,-1 jump\n60 wish 0,-1\n", {10, 3.5, 0},
                         {0, 1.2, -1.5});
      }},
-    {"air-jump", "air_jump", "Air jump",
-     "A gap too wide for one jump. Off: the player falls into it. On: a second press near the end of the "
-     "jump carries the player across.",
+    {"air-jump", "air_jump", "Air jump", "A gap is too wide for one jump.", "Allow a second jump in the air.",
      [] {
          MovementSettings on = basic_settings();
          on.air_jump = true;
@@ -152,9 +147,8 @@ const auto air_rows = std::to_array<DemoInfo>({
                         "20 wish 0,0\n",
                         {12, 3.5, -1}, {0, 0, -3.5});
      }},
-    {"wall-slide", "wall_slide", "Wall slide",
-     "Along a wall down to a ledge that stands out on the other side. Off: the player falls past it. On: the "
-     "player slides, and the stick leads across in time.",
+    {"wall-slide", "wall_slide", "Wall slide", "A fall along a wall is too fast to steer out of.",
+     "Limit the falling speed at a wall.",
      [] {
          MovementSettings on = basic_settings();
          on.wall_slide = true;
@@ -166,8 +160,8 @@ const auto air_rows = std::to_array<DemoInfo>({
                         "5 wish 0,0\n28 wish 0,-1\n20 wish 0,-1 jump\n50 wish 0,-1\n60 wish 0,1\n",
                         {13, 0, 0}, {0, -2, -1.5});
      }},
-    {"wall-jump", "wall_jump", "Wall jump",
-     "A shaft between two walls. Off: the player stays at its bottom. On: jumps from wall to wall lead out.",
+    {"wall-jump", "wall_jump", "Wall jump", "A player cannot leave a shaft between two walls.",
+     "Jump off the wall: up, and away along its normal.",
      [] {
          MovementSettings on = basic_settings();
          on.wall_jump = true;
@@ -181,8 +175,8 @@ const auto air_rows = std::to_array<DemoInfo>({
                         {1, 4, 14}, {-1, 3, 0});
      }},
     {"air-control", "air_control", "Air control",
-     "The stick changes direction in mid-air. Off: the player flies past the pillar's top. On: the "
-     "player lands on it.",
+     "In the air the stick changes nothing, and the jump misses the pillar.",
+     "Accelerate towards the stick in the air, too.",
      [] {
          MovementSettings on = basic_settings();
          Shapes shapes;
@@ -198,8 +192,8 @@ const auto air_rows = std::to_array<DemoInfo>({
          return demo;
      }},
     {"keep-speed", "keep_speed", "Keep speed",
-     "Down an icy ramp and off its end, with the stick ahead. Off: the stick slows the flight to the walking "
-     "speed, and the player falls into the gap. On: the player reaches the other side.",
+     "In the air the stick slows a fast player to the walking speed.",
+     "Let it steer, and take no speed away.",
      [] {
          MovementSettings on = basic_settings();
          on.keep_speed = true;
@@ -211,8 +205,8 @@ const auto air_rows = std::to_array<DemoInfo>({
          return demo_of(shapes.level(), {0, standing_on_flat(on, 3.5), 8.2}, on,
                         "110 wish 0,-1\n30 wish 0,0\n", {13, 5, 0}, {0, 0, -1});
      }},
-    {"moving-platforms", "platforms", "Moving platforms",
-     "Off: the raft slides away under the feet. On: it carries the player across the gap.",
+    {"moving-platforms", "platforms", "Moving platforms", "A raft slides away under the player's feet.",
+     "Make the rider move as the raft moves.",
      [] {
          MovementSettings on = basic_settings();
          Shapes shapes = ledges(6);
@@ -227,8 +221,8 @@ const auto air_rows = std::to_array<DemoInfo>({
          demo.level.platforms = {raft};
          return demo;
      }},
-    {"turntable", "platforms", "Turntable",
-     "Off: the turntable rotates under the feet. On: the player rotates with it.",
+    {"turntable", "platforms", "Turntable", "A turntable rotates away under the player's feet.",
+     "Make the rider rotate with it.",
      [] {
          MovementSettings on = basic_settings();
          Shapes shapes;

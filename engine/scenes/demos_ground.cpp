@@ -11,8 +11,6 @@ namespace slipface {
 
 namespace {
 
-constexpr double pi = 3.141592653589793;
-
 // The height of the centre of a player whose feet touch a slope of `angle` radians that has the height `y`
 // below the centre.
 double standing(const MovementSettings& s, double y, double angle = 0.0) {
@@ -46,7 +44,8 @@ namespace {
 
 const auto ground_rows = std::to_array<DemoInfo>({
     {"static-friction", "static_friction", "Static friction",
-     "Off: a player on the 30 degree ramp creeps down. On: the player stands still.",
+     "Gravity makes a player that stands on a slope creep down it.",
+     "Let only the horizontal part of the move slide.",
      [] {
          MovementSettings on = basic_settings();
          const double angle = pi / 6;
@@ -57,7 +56,8 @@ const auto ground_rows = std::to_array<DemoInfo>({
          return demo_of(shapes.level(), spawn, on, "600 wish 0,0\n", {11, 6, 4}, {0, 1.6, -0.5});
      }},
     {"ground-velocity", "ground_velocity", "Ground velocity",
-     "Off: the player hops down the ramp. On: the path follows the ramp.",
+     "With no vertical velocity on the ground a player hops down ramps.",
+     "Press it down as fast as the slope falls.",
      [] {
          MovementSettings on = basic_settings();
          const double rise = 14 * std::tan(pi / 6);
@@ -73,7 +73,8 @@ const auto ground_rows = std::to_array<DemoInfo>({
     // A stripe along the heading is painted over floor and ramp, and the camera looks straight down: a path
     // that leaves the stripe has been deflected.
     {"straight-ahead", "straight_ahead", "Straight ahead on ramps",
-     "Off: the ramp deflects the path from the stripe. On: the path continues along it.",
+     "A ramp that is hit at an angle turns the player aside.",
+     "Keep the heading, and change only the height.",
      [] {
          MovementSettings on = basic_settings();
          constexpr double left = -12, right = 10, near = 7, far = -8;
@@ -103,9 +104,22 @@ const auto ground_rows = std::to_array<DemoInfo>({
          demo.level.surfaces.push_back(painted("stripe", {0.30F, 0.55F, 0.85F}));
          return demo;
      }},
-    {"keep-energy", "keep_energy", "Keep energy",
-     "Off: the player loses speed at every face of the half-pipe and does not reach the far rim. On: the "
-     "player reaches it.",
+    {"constant-slope-speed", "constant_slope_speed", "Constant slope speed",
+     "Down a slope a player that walks as fast on the map is faster than on the flat.",
+     "Count the speed along the slope.",
+     [] {
+         MovementSettings on = basic_settings();
+         on.constant_slope_speed = true;
+         const double rise = 10 * std::tan(2 * pi / 9);
+         Shapes shapes;
+         shapes.material("plaster").box({-5, -0.5, -12}, {5, 0, 12}).material("brick");
+         shapes.ramp({-2, 0, 4}, 4, 10, rise);
+         shapes.material("stone").box({-2, 0, -10}, {2, rise, -6});
+         return demo_of(shapes.level(), {0, standing(on, rise), -7}, on, "20 wish 0,0\n100 wish 0,1\n",
+                        {16, 7, 0}, {0, 3, -1});
+     }},
+    {"keep-energy", "keep_energy", "Keep energy", "Each flat face of a half-pipe takes speed away.",
+     "At a glancing hit turn the velocity, and keep its length.",
      [] {
          MovementSettings on = basic_settings();
          on.slippery_acceleration = 0.0;
@@ -126,9 +140,8 @@ const auto ground_rows = std::to_array<DemoInfo>({
      }},
     // Walking straight out of the wedge also works with the switch off. So the stick pushes across the wedge,
     // past the end of the right wall; each component of that leads further into one of the walls.
-    {"push-out", "push_out", "Push-out",
-     "Off: a player who starts inside both walls of the wedge and pushes across it stays there. On: the "
-     "player is pushed out at once and walks on.",
+    {"push-out", "push_out", "Push-out", "A player that begins inside a wedge cannot move across it.",
+     "Put it onto the common line of both planes.",
      [] {
          MovementSettings on = basic_settings();
          on.push_out = PushOut::analytic;
@@ -149,9 +162,8 @@ const auto ground_rows = std::to_array<DemoInfo>({
      }},
     // Four posts with less room between them than the player's width: a player inside touches all of them,
     // and every direction leads further into one.
-    {"nudge", "nudge", "Nudge",
-     "Off: a player who spawns between posts that are too close cannot leave. On: the player is moved "
-     "beside them and walks on.",
+    {"nudge", "nudge", "Nudge", "Between posts on all sides there is no plane to push out of.",
+     "Try small offsets in 26 directions.",
      [] {
          MovementSettings on = basic_settings();
          on.nudge = true;
@@ -165,7 +177,8 @@ const auto ground_rows = std::to_array<DemoInfo>({
          return demo_of(shapes.level(), {0, standing(on, 0), 0}, on,
                         "20 wish 0,0\n20 wish 1,0\n20 wish 0,1\n", {3.6, 3.6, 3.8}, {1.1, 0.7, 0.5});
      }},
-    {"step-up", "step_up", "Step up", "Off: the stairs act as a wall. On: the player climbs them.",
+    {"step-up", "step_up", "Step up", "Stairs act as a wall.",
+     "Lift the player by a step, move it, and drop it again.",
      [] {
          MovementSettings on = basic_settings();
          on.step_up = true;
@@ -177,8 +190,8 @@ const auto ground_rows = std::to_array<DemoInfo>({
          return demo_of(shapes.level(), {0, standing(on, 0), 3}, on, "10 wish 0,0\n110 wish 0,-1\n",
                         {10, 5, 3}, {0, 1.8, -2});
      }},
-    {"bounce", "bounce", "Bounce",
-     "Off: the pad acts as a floor. On: each rebound has 0.8 times the impact speed.",
+    {"bounce", "bounce", "Bounce", "A slide takes away all of the speed into a trampoline.",
+     "Negate that part of the velocity, times a coefficient.",
      [] {
          MovementSettings on = basic_settings();
          Shapes shapes;
@@ -188,8 +201,8 @@ const auto ground_rows = std::to_array<DemoInfo>({
              .box({-5, 0, -2}, {10, 0.2, 2});
          return demo_of(shapes.level(), {-4, 5, 0}, on, "300 wish 0.35,0\n", {2, 3.5, 14}, {2, 2, 0});
      }},
-    {"sticky", "stick", "Sticky",
-     "Off: the player slides down the wall. On: the player hangs on it, with or without the stick.",
+    {"sticky", "stick", "Sticky", "A player that jumps at a wall slides off it.",
+     "While a sticky face holds it: no velocity, no gravity.",
      [] {
          MovementSettings on = basic_settings();
          Shapes shapes;
@@ -204,8 +217,8 @@ const auto ground_rows = std::to_array<DemoInfo>({
                         "10 wish 0,0\n20 wish 0,-1\n30 wish 0,-1 jump\n60 wish 0,-1\n", {8, 4, 3.5},
                         {0, 1.6, -0.8});
      }},
-    {"snap-down", "snap_down", "Snap to floor",
-     "Off: the player leaves the ground at every step downwards. On: the path follows the stairs.",
+    {"snap-down", "snap_down", "Snap to floor", "Down stairs a player leaves the ground at every step.",
+     "After the move, sweep down to ground that is near.",
      [] {
          MovementSettings on = basic_settings();
          on.step_up = true;
@@ -219,8 +232,8 @@ const auto ground_rows = std::to_array<DemoInfo>({
      }},
     // The floor is modelled at the end of its rise.
     {"seam-filter", "seam_filter", "Seam filter",
-     "A floor rises into the player. Off: the edges of its triangles stop the player. On: the player "
-     "walks on.",
+     "A floor that rises into the player stops it at the edges of triangles.",
+     "At an edge inside a smooth floor take the floor's normal.",
      [] {
          MovementSettings on = basic_settings();
          on.seam_filter = true;
@@ -246,8 +259,7 @@ const auto ground_rows = std::to_array<DemoInfo>({
          return demo;
      }},
     {"surface-types", "surface_types", "Surface types",
-     "Off: the ladder acts as a wall. On: the player climbs it, and the conveyor above carries the "
-     "player on.",
+     "A ladder acts as a wall, and a conveyor stands still.", "Give faces types, which choose the response.",
      [] {
          MovementSettings on = basic_settings();
          Shapes shapes;

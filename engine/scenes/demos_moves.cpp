@@ -7,8 +7,7 @@ namespace slipface {
 namespace {
 
 const auto move_rows = std::to_array<DemoInfo>({
-    {"dash", "dash", "Dash",
-     "A gap of 7 m. Off: the jump ends in it. On: a dash at the top of the jump reaches the other side.",
+    {"dash", "dash", "Dash", "A jump falls short in a gap of 7 m.", "Dash: fast and level for a moment.",
      [] {
          MovementSettings on = basic_settings();
          on.dash = true;
@@ -20,9 +19,8 @@ const auto move_rows = std::to_array<DemoInfo>({
                         "20 wish 0,0\n",
                         {12, 3.5, -1}, {0, 0, -3.5});
      }},
-    {"crouch", "crouch", "Crouch",
-     "A passage 1.2 m high. Off: the player, 1.8 m tall, stops before it. On: it crawls through and stands "
-     "up behind.",
+    {"crouch", "crouch", "Crouch", "A passage is lower than the player.",
+     "Lower the body while the button is held, and stand up behind.",
      [] {
          MovementSettings on = basic_settings();
          on.crouch = true;
@@ -34,9 +32,8 @@ const auto move_rows = std::to_array<DemoInfo>({
                         "5 wish 0,0\n30 wish 0,-1\n120 wish 0,-1 crouch\n40 wish 0,-1\n20 wish 0,0\n",
                         {7, 4.5, 8}, {0, 0.5, -1});
      }},
-    {"ledge-grab", "ledge_grab", "Ledge grab",
-     "A wall of 2.8 m, and a jump of 1.6 m. Off: the player slides down the wall. On: its hands hold the "
-     "edge, and it climbs up.",
+    {"ledge-grab", "ledge_grab", "Ledge grab", "A wall is higher than a jump.",
+     "Hold its edge with the hands, and climb up.",
      [] {
          MovementSettings on = basic_settings();
          on.ledge_grab = true;
@@ -48,8 +45,8 @@ const auto move_rows = std::to_array<DemoInfo>({
              "5 wish 0,0\n32 wish 0,-1\n40 wish 0,-1 jump\n20 wish 0,0\n25 wish 0,-1\n20 wish 0,0\n",
              {9, 4, 7}, {0, 1.4, -1});
      }},
-    {"drop-through", "drop_through", "Drop through",
-     "A one-sided grate above a floor. Off: it holds the player. On: the drop button leads through it.",
+    {"drop-through", "drop_through", "Drop through", "A one-sided grate holds the player above the floor.",
+     "While drop is held, let one-sided faces pass it.",
      [] {
          MovementSettings on = basic_settings();
          on.drop_through = true;
@@ -64,8 +61,8 @@ const auto move_rows = std::to_array<DemoInfo>({
          demo.level.surfaces.push_back(grate);
          return demo;
      }},
-    {"glide", "glide", "Glide",
-     "From a tower over a gap of 12 m. Off: the player falls into it. On: with jump held it glides across.",
+    {"glide", "glide", "Glide", "A jump from a tower falls into a gap of 12 m.",
+     "Limit the falling speed while jump is held.",
      [] {
          MovementSettings on = basic_settings();
          on.glide = true;

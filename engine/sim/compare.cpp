@@ -32,8 +32,8 @@ Played play(const TickScene& scene, const TapeRun& run, std::size_t tick, std::s
         MovementSettings settings = run.settings_at(i);
         if (changed) (void)set_setting(settings, *changed, value);
         const PlayerInput input = run.input_at(i);
-        const TickResult result =
-            play_tick(scene.at(i, run.dt()), settings, outcome.end, input, run.dt(), begin);
+        const TickResult result = play_tick(scene.at(i, run.dt()), settings, outcome.end, input, run.dt(),
+                                            begin, nullptr, step_of(run.tape()));
         const Vec3 moved = scene.to_level(result.stepped) - scene.to_level(outcome.end);
         const Vec3 requested(input.wish.x(), 0.0, input.wish.y());
         const double length = requested.norm();

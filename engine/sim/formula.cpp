@@ -32,9 +32,10 @@ std::optional<Act> find_act(const TickTrace& trace, const StoryNames& names, std
             act.response = response;
             break;
         }
-        if ((hacks_acted(record) & bit) == 0) continue;
+        if (bit == 0 ? response == nullptr : (hacks_acted(record) & bit) == 0) continue;
         if (response != nullptr) {
             act.response = response;
+            if (bit == 0) continue;
             break;
         }
         if (act.decision == nullptr) act.decision = std::get_if<DecisionRecord>(&record);
@@ -63,6 +64,12 @@ Change change_of(const Act& act, const TickTrace& trace) {
     if (response->velocity_before != response->velocity_after)
         return {response->velocity_before, response->velocity_after, "m/s"};
     return {response->remainder_before, response->remainder_after, "m"};
+}
+
+// 0: the setting is no hack.
+std::uint64_t bit_of(std::string_view hack) {
+    const std::optional<std::size_t> row = hack_row(hack);
+    return row ? std::uint64_t{1} << *row : 0;
 }
 
 std::string number_of(double value, std::string_view unit) {
@@ -99,16 +106,13 @@ std::vector<std::string> words_of(std::string_view formula) {
 
 }  // namespace
 
-std::vector<FormulaNumber> formula_numbers(std::string_view hack, const TickTrace& trace,
+std::vector<FormulaNumber> formula_numbers(const FormulaInfo& formula, const TickTrace& trace,
                                            const StoryNames& names) {
-    const FormulaInfo* formula = find_formula(hack);
-    const std::optional<std::size_t> row = hack_row(hack);
-    if (formula == nullptr || !row) return {};
-    const std::optional<Act> act = find_act(trace, names, std::uint64_t{1} << *row);
+    const std::optional<Act> act = find_act(trace, names, bit_of(formula.hack));
     if (!act) return {};
 
     const auto [before, after, unit] = change_of(*act, trace);
-    const std::vector<std::string> words = words_of(formula->text);
+    const std::vector<std::string> words = words_of(formula.text);
     // "Vy" and "V.w" are of V, "N.x" of N.
     const auto has = [&](std::string_view symbol) {
         return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
@@ -145,17 +149,20 @@ std::vector<FormulaNumber> formula_numbers(std::string_view hack, const TickTrac
     return numbers;
 }
 
-std::optional<TickTrace> telling_tick(const TapeRun& run, const TickScene& scene, std::string_view hack) {
-    const std::optional<std::size_t> row = hack_row(hack);
-    if (!row || run.acted_count(*row) == 0) return std::nullopt;
+std::optional<TickTrace> telling_tick(const TapeRun& run, const TickScene& scene, std::string_view hack,
+                                      const MovementSettings& off, StepFunction off_step) {
+    const std::uint64_t bit = bit_of(hack);
+    const auto acted = [&](const TickSample& sample) {
+        return bit == 0 ? sample.contacts > 0 : (sample.acted & bit) != 0;
+    };
+    if (std::none_of(run.samples().begin(), run.samples().end(), acted)) return std::nullopt;
     std::optional<TickTrace> best;
     double largest = -1.0;  // m
     for (TickTrace& trace : run.traces(scene, 0, run.samples().size() - 1)) {
-        if (((run.samples()[trace.tick].acted >> *row) & 1) == 0) continue;
-        MovementSettings off = run.settings_at(trace.tick);
-        if (!set_setting(off, *find_setting(hack), 0.0)) continue;
-        const PlayerState without =
-            step(scene.at(trace.tick, trace.dt), off, trace.before, trace.input, trace.dt).state;
+        if (!acted(run.samples()[trace.tick])) continue;
+        const PlayerState without = off_step(scene.at(trace.tick, trace.dt), off, trace.before, trace.input,
+                                             trace.dt, nullptr, nullptr)
+                                        .state;
         const PlayerState& with = trace.after.stepped;
         const double apart =
             (with.position - without.position).norm() + trace.dt * (with.velocity - without.velocity).norm();

@@ -31,7 +31,7 @@ double number(std::string_view text, double low, double high) {
 
 constexpr double far_away = 1e7;
 
-class Reader {
+class RunReader {
   public:
     // "name value", of a line "# name value" of CSV and of the members of JSON's first line.
     void header(std::string_view name, std::string_view value) {
@@ -115,7 +115,7 @@ constexpr std::array<std::string_view, 7> columns{"t", "x", "y", "z", "wish_x", 
 
 class CsvLines {
   public:
-    explicit CsvLines(Reader& reader) : reader_(reader) {}
+    explicit CsvLines(RunReader& reader) : reader_(reader) {}
 
     void line(std::string_view text) {
         if (text.starts_with('#')) {
@@ -147,7 +147,7 @@ class CsvLines {
             if (std::find(order_.begin(), order_.end(), needed) == order_.end())
                 throw Wrong{"a first row without it", fmt::format("a column {}", columns[needed])};
     }
-    Reader& reader_;
+    RunReader& reader_;
     std::vector<std::size_t> order_;  // [cell] index into columns; beyond it: another column
 };
 
@@ -160,7 +160,7 @@ double number(const Json& value) {
     return found;
 }
 
-void json_line(Reader& reader, std::string_view text) {
+void json_line(RunReader& reader, std::string_view text) {
     const Json json = Json::parse(text);
     if (!json.is_object()) throw Wrong{"no object", "an object per line"};
     if (json.contains("slipface_run")) {
@@ -191,7 +191,7 @@ void json_line(Reader& reader, std::string_view text) {
 Result<RecordedRun> read_recorded_run(const std::filesystem::path& file) {
     const Result<std::string> bytes = read_file(file, std::uint64_t{512} << 20);
     if (!bytes) return bytes.error();
-    Reader reader;
+    RunReader reader;
     CsvLines csv(reader);
     const std::size_t begin = bytes->find_first_not_of(" \t\r\n");
     const bool json = begin != std::string::npos && (*bytes)[begin] == '{';

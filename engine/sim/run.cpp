@@ -102,6 +102,10 @@ std::uint64_t hacks_acted(const TraceRecord& record) {
                 static const std::uint64_t bit = bit_of("straight_ahead");
                 return bit;
             }
+            case Rule::bounce: {
+                static const std::uint64_t bit = bit_of("bounce");
+                return bit;
+            }
             case Rule::keep_energy: {
                 static const std::uint64_t bit = bit_of("keep_energy");
                 return bit;
@@ -172,8 +176,8 @@ bool TapeRun::advance(const TickScene& scene, std::size_t ticks) {
         TickSample counted;
         SampleSink sink(counted);
         const PlayerState before = state_;
-        const TickResult result =
-            play_tick(scene.at(tick, tape_->dt), settings_, before, input, tape_->dt, begin, &sink);
+        const TickResult result = play_tick(scene.at(tick, tape_->dt), settings_, before, input, tape_->dt,
+                                            begin, &sink, step_of(*tape_));
         state_ = result.state;
         hash_ = state_hash(state_, hash_);
         TickSample sample = sample_of(scene, result);
@@ -213,7 +217,9 @@ TapeRun::Keyframe TapeRun::replay(const TickScene& scene, std::size_t tick) cons
     MovementSettings settings = settings_at(first);
     for (std::size_t i = first; i < tick; ++i) {
         apply_changes(settings, i, i + 1);
-        at.state = play_tick(scene.at(i, tape_->dt), settings, at.state, input_at(i), tape_->dt, begin).state;
+        at.state = play_tick(scene.at(i, tape_->dt), settings, at.state, input_at(i), tape_->dt, begin,
+                             nullptr, step_of(*tape_))
+                       .state;
         at.hash = state_hash(at.state, at.hash);
     }
     return at;
@@ -236,7 +242,7 @@ TickTrace TapeRun::trace_from(const TickScene& scene, std::size_t tick, const Pl
     trace.settings = settings_at(tick);
     TraceRecorder recorder;
     trace.after = play_tick(scene.at(tick, tape_->dt), trace.settings, trace.before, trace.input, tape_->dt,
-                            run_start(scene, start_), &recorder);
+                            run_start(scene, start_), &recorder, step_of(*tape_));
     // Stories ask about the body that the tick moved.
     trace.settings = settings_of_body(trace.settings, trace.after.stepped);
     trace.from = scene.to_level(trace.before);

@@ -29,8 +29,9 @@ RunStart run_start(const TickScene& scene, const Vec3& start) {
 }
 
 TickResult play_tick(const MovementScene& scene, const MovementSettings& settings, const PlayerState& before,
-                     const PlayerInput& input, double dt, const RunStart& start, TraceSink* trace) {
-    const StepResult step_result = step(scene, settings, before, input, dt, trace);
+                     const PlayerInput& input, double dt, const RunStart& start, TraceSink* trace,
+                     StepFunction mover) {
+    const StepResult step_result = mover(scene, settings, before, input, dt, trace, nullptr);
     TickResult result{.state = step_result.state,
                       .stepped = step_result.state,
                       .respawn = Respawn::none,
@@ -145,7 +146,7 @@ SimulationReport simulate(const TickScene& scene, const MovementSettings& settin
                 (void)set_setting(now, change->setting);
             const PlayerState before = state;
             const TickResult result = play_tick(scene.at(report.ticks, tape.dt), now, before, segment.input,
-                                                tape.dt, begin, options.trace);
+                                                tape.dt, begin, options.trace, step_of(tape));
             state = result.state;
             if (result.respawn == Respawn::fall) ++report.falls;
             if (result.respawn == Respawn::hazard) ++report.hazards;

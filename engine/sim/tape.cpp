@@ -117,6 +117,8 @@ class TapeParser {
             read_base(words);
         } else if (words[0] == "set") {
             read_setting(trim(line.substr(3)));
+        } else if (words[0] == "mover") {
+            read_mover(words);
         } else if (words[0] == "start") {
             read_start(words);
         } else if (words[0] == "end") {
@@ -187,6 +189,17 @@ class TapeParser {
             tape_.settings.emplace_back(assignment);
         else
             tape_.changes.push_back({ticks_, std::string(assignment)});
+    }
+
+    void read_mover(const std::vector<std::string_view>& words) {
+        bool seen = tape_.mover != nullptr;
+        if (!may_set(seen, "mover")) return;
+        tape_.mover = words.size() == 2 ? find_mover(words[1]) : nullptr;
+        if (tape_.mover != nullptr) return;
+        std::string names;
+        for (const NamedMover& mover : lecture_movers())
+            names += (names.empty() ? "" : ", ") + std::string(mover.name);
+        fail(quoted(words.back()), "one of " + names);
     }
 
     void read_start(const std::vector<std::string_view>& words) {
@@ -297,6 +310,7 @@ std::string tape_to_text(const Tape& tape) {
     if (tape.from_basic) text += "settings basic\n";
     for (const std::string& setting : tape.settings)
         text += fmt::format("set {}\n", setting);
+    if (tape.mover != nullptr) text += fmt::format("mover {}\n", tape.mover->name);
     if (tape.start) {
         text += fmt::format("start {},{},{}\n", to_text(tape.start->x()), to_text(tape.start->y()),
                             to_text(tape.start->z()));

@@ -42,8 +42,8 @@ struct Trial {
             for (const std::string& change : settings)
                 (void)set_setting(now, change);
             const PlayerInput input = run.input_at(tick);
-            const TickResult result =
-                play_tick(scene.at(tick, run.dt()), now, state, input, run.dt(), start, trace);
+            const TickResult result = play_tick(scene.at(tick, run.dt()), now, state, input, run.dt(), start,
+                                                trace, step_of(run.tape()));
             const Vec3 moved = scene.to_level(result.stepped) - scene.to_level(state);
             const Vec3 requested(input.wish.x(), 0.0, input.wish.y());
             const double towards = requested.isZero(0.0) ? 0.0 : moved.dot(requested) / requested.norm();

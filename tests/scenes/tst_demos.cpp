@@ -30,7 +30,7 @@ struct Trip {
     }
 };
 
-Trip run(const Demo& demo, const MovementSettings& settings) {
+Trip run(const Demo& demo, const MovementSettings& settings, StepFunction mover = step) {
     Result<LevelScene> scene = LevelScene::build(demo.level, settings);
     EXPECT_TRUE(scene.ok());
     Trip run{.start = scene->player_at(demo.level.spawn), .states = {}};
@@ -38,7 +38,9 @@ Trip run(const Demo& demo, const MovementSettings& settings) {
     for (const TapeSegment& segment : demo.tape.segments) {
         for (int i = 0; i < segment.ticks; ++i) {
             const double time = static_cast<double>(run.states.size()) * demo.tape.dt;
-            state = step(scene->at(time, demo.tape.dt), settings, state, segment.input, demo.tape.dt).state;
+            state = mover(scene->at(time, demo.tape.dt), settings, state, segment.input, demo.tape.dt,
+                          nullptr, nullptr)
+                        .state;
             run.states.push_back(state);
         }
     }
@@ -54,8 +56,75 @@ Pair pair_of(const char* name) {
     const DemoInfo* info = find_demo(name);
     EXPECT_NE(info, nullptr) << name;
     Demo demo = make_demo(*info);
-    Trip off = run(demo, demo.off), on = run(demo, demo.on);
+    Trip off = run(demo, demo.off, step_of(demo.off_tape)), on = run(demo, demo.on, step_of(demo.tape));
     return {std::move(demo), std::move(off), std::move(on)};
+}
+
+// The lecture's first half.
+TEST(Demos, BounceScalarTakesHeightFromEachRebound) {
+    const Pair pair = pair_of("bounce-scalar");
+    EXPECT_GT(pair.off.highest(250), 3.0);  // as high as it fell
+    EXPECT_LT(pair.on.highest(250), 1.2);
+}
+
+TEST(Demos, SlidesLeadOnWhereOneFewerEnds) {
+    for (const char* name : {"one-slide", "two-slides"}) {
+        SCOPED_TRACE(name);
+        const Pair pair = pair_of(name);
+        // In the last quarter the one walks and the other hangs at what it touched.
+        const auto later = [](const Trip& r) {
+            return (r.end().position - r.states[r.states.size() * 3 / 4].position).norm();
+        };
+        EXPECT_GT(later(pair.on), 1.0);
+        EXPECT_LT(later(pair.off), 0.05);
+    }
+    const Pair round = pair_of("three-slides");
+    EXPECT_GT((round.on.end().position - round.off.end().position).norm(), 0.5);
+}
+
+TEST(Demos, WholeDisplacementsSpeedUp) {
+    const Pair pair = pair_of("remainder");
+    const auto fastest = [&](const Trip& r) {
+        double most = 0.0;
+        for (std::size_t i = 1; i < r.states.size(); ++i)
+            most = std::max(most, (r.states[i].position - r.states[i - 1].position).norm());
+        return most / pair.demo.tape.dt;
+    };
+    const double walk = pair.demo.on.walk_speed;
+    EXPECT_LT(fastest(pair.on), 1.02 * walk);  // the pushes by the skin
+    EXPECT_GT(fastest(pair.off), 1.3 * walk);
+}
+
+TEST(Demos, DividedNormalsClimbTheRamp) {
+    const Pair pair = pair_of("contact-plane");
+    EXPECT_GT(pair.on.highest(), pair.off.highest() + 1.0);
+}
+
+TEST(Demos, EpsilonHoldsThePlayerOnTheFloor) {
+    const Pair pair = pair_of("epsilon");
+    EXPECT_GT(pair.on.end().position.y(), pair.demo.on.radii.y() + 0.29);
+    EXPECT_LT(pair.off.end().position.y(), 0.0);
+}
+
+TEST(Demos, SayProblemAndCureInTwoShortLines) {
+    const auto words = [](const std::string& text) {
+        return text.empty() ? 0 : 1 + std::count(text.begin(), text.end(), ' ');
+    };
+    for (const DemoInfo& info : demo_table()) {
+        SCOPED_TRACE(info.name);
+        EXPECT_LE(words(sentences_of(info)), 25);
+        for (const std::string text : {info.problem, info.cure}) {
+            EXPECT_GE(words(text), 4);
+            EXPECT_EQ(text.back(), '.');
+        }
+    }
+    // Every card has a demo, and with it these lines.
+    for (const SettingInfo& setting : settings_table())
+        EXPECT_TRUE(!is_switch(setting) || std::any_of(demo_table().begin(), demo_table().end(),
+                                                       [&](const DemoInfo& info) {
+                                                           return setting.name == std::string_view(info.hack);
+                                                       }))
+            << setting.name;
 }
 
 TEST(Demos, StaticFrictionHoldsOnTheRamp) {
@@ -298,6 +367,7 @@ TEST(Demos, AreSavedAsFilesThatLoad) {
         EXPECT_TRUE(loaded->warnings.empty()) << info.name << ": " << loaded->warnings.front().text();
         EXPECT_EQ(loaded->level.mesh->face_count(), demo.level.mesh->face_count()) << info.name;
         EXPECT_EQ(loaded->level.platforms, demo.level.platforms);
+        ASSERT_EQ(loaded->level.goals.size(), 1u);
         EXPECT_EQ(loaded->level.movement, demo.on);
         EXPECT_EQ(loaded->level.terrain == nullptr, demo.level.terrain == nullptr);
         if (demo.level.terrain) {

@@ -9,6 +9,7 @@
 #include "slipface/movement/buttons.h"
 #include "slipface/movement/settings.h"
 #include "slipface/movement/surface_type.h"
+#include "slipface/scenes/demo.h"
 #include "tools/commands/docs.h"
 
 namespace slipface {
@@ -57,11 +58,15 @@ std::string settings_markdown() {
         "setting). `V` is the displacement or the velocity, `N` the normal of the face, `E` the position, "
         "`dt` the "
         "tick, `e` the restitution; `'` is after the step.\n\n";
-    for (const FormulaInfo& info : formula_table()) {
+    const auto add_formula = [&](const char* label, const FormulaInfo& info) {
         const std::string lecture =
             *info.lecture == '\0' ? "" : fmt::format(" (the lecture: {})", info.lecture);
-        text += fmt::format("- {}{}: `{}`\n", find_setting(info.hack)->label, lecture, info.text);
-    }
+        text += fmt::format("- {}{}: `{}`\n", label, lecture, info.text);
+    };
+    for (const DemoInfo& demo : demo_table())
+        if (plays_lecture(demo)) add_formula(demo.title, demo.formula);
+    for (const FormulaInfo& info : formula_table())
+        add_formula(find_setting(info.hack)->label, info);
     text +=
         "\n## Buttons\n\nTapes, scripts and Python use the names; the keys, by their place on a US keyboard, "
         "and "

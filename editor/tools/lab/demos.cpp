@@ -47,6 +47,22 @@ Result<fs::path> demo_files(const DemoInfo& info) {
     return Error{base.string(), "holds too many demos; expected room for one more"};
 }
 
+// The paths of all runs fill the view, as far as they are in the level, seen from the direction of the demo's
+// camera with its angle.
+void fill_view(Editor& editor, const CameraBookmark& camera) {
+    const Vec3 body = editor.document->level().movement.radii;
+    const Aabb level = editor.document->collision().bounds();
+    Aabb paths;
+    for (const LabRun& run : editor.lab.runs())
+        for (const TickSample& sample : run.run.samples()) {
+            paths.add((sample.position - body).cwiseMin(level.max).cwiseMax(level.min - body));
+            paths.add((sample.position + body).cwiseMin(level.max + 3.0 * body).cwiseMax(level.min));
+        }
+    editor.view.fov_y = camera.fov_y;
+    editor.view.look_at(camera.eye, camera.target);
+    editor.view.frame(paths, editor.view_aspect);
+}
+
 }  // namespace
 
 void open_demo(Editor& editor, const DemoInfo& info) {
@@ -68,10 +84,19 @@ void show_demo(Editor& editor, const DemoInfo& info) {
         editor.message = MessageDialog{title, status.error().text(), {}};
         return;
     }
-    editor.lab.pin(demo.off);
+    if (demo.off_tape.mover == demo.tape.mover) {
+        editor.lab.pin(demo.off);
+    } else if (const Status status = editor.lab.add(*editor.document, demo.off_tape, off_of(info)); !status) {
+        editor.message = MessageDialog{title, status.error().text(), {}};
+        return;
+    }
+    editor.lab.runs().front().name = "On";
+    editor.lab.runs().back().name = "Off";
     complete_runs(editor);
     show_lab(editor);
-    editor.status = info.look_at;
+    fill_view(editor, demo.camera);
+    editor.lab.motion = LabMotion::forward;
+    editor.status = sentences_of(info);
 }
 
 }  // namespace slipface

@@ -15,15 +15,17 @@ struct FormulaNumber {
     std::string symbol, text;
 };
 
-// The numbers of all symbols in the hack's formula (formula_table()) that the tick has: V and its dash,
-// before and after the response, in m/s where the velocity changed, else the displacement in m; N, the normal
-// of the contact that decided; E, the position; then the settings. Empty: there is no formula, or the hack
-// did not act in the tick.
-std::vector<FormulaNumber> formula_numbers(std::string_view hack, const TickTrace& trace,
+// The numbers of all symbols in the formula that the tick has: V and its dash, before and after the response,
+// in m/s where the velocity changed, else the displacement in m; N, the normal of the contact that decided;
+// E, the position; then the settings. The formula of a setting that is no hack is about the last response of
+// the tick. Empty: the hack did not act in the tick, or nothing responded.
+std::vector<FormulaNumber> formula_numbers(const FormulaInfo& formula, const TickTrace& trace,
                                            const StoryNames& names);
 
-// The tick that shows a hack best: the one whose end is furthest from what it would be with the hack off, of
-// equal ones the first. Nothing: it never acted.
-std::optional<TickTrace> telling_tick(const TapeRun& run, const TickScene& scene, std::string_view hack);
+// The tick that shows a hack best: of those in which it acted (for a setting that is no hack, in which
+// something responded) the one whose end is furthest from what it would be under `off` with `off_step`, of
+// equal ones the first. Nothing: there is none.
+std::optional<TickTrace> telling_tick(const TapeRun& run, const TickScene& scene, std::string_view hack,
+                                      const MovementSettings& off, StepFunction off_step = step);
 
 }  // namespace slipface

@@ -44,9 +44,9 @@ struct RunStart {
 // limit is 60 m below the lower of the start and the lowest static point.
 RunStart run_start(const TickScene& scene, const Vec3& start);
 
-// One tick of tapes, playtest and lab: step(), and then back to the start if the player touched a hazard, was
-// crushed by a platform or fell out of the level. The return is part of the run and not of step(): tapes
-// repeat it unrecorded.
+// One tick of tapes, playtest and lab: step(), or another mover's, and then back to the start if the player
+// touched a hazard, was crushed by a platform or fell out of the level. The return is part of the run and not
+// of step(): tapes repeat it unrecorded.
 enum class Respawn : std::uint8_t { none, hazard, crushed, fall };
 struct TickResult {
     PlayerState state;    // at `start` after a respawn
@@ -57,7 +57,8 @@ struct TickResult {
     bool crowded = false;      // StepResult::crowded
 };
 TickResult play_tick(const MovementScene& scene, const MovementSettings& settings, const PlayerState& before,
-                     const PlayerInput& input, double dt, const RunStart& start, TraceSink* trace = nullptr);
+                     const PlayerInput& input, double dt, const RunStart& start, TraceSink* trace = nullptr,
+                     StepFunction mover = step);
 
 // Writes the changes between consecutive ticks as events.
 class EventLog {

@@ -7,6 +7,7 @@
 //   settings basic                       (optional: start from basic_settings(), not from the level's;
 //                                         "settings defaults" is the same)
 //   set max_slope=0.7                    (any number of these)
+//   mover lecture                        (optional: a mover of lecture_mover.h in place of Slipface's)
 //   start 0,1,0                          (optional; else the level's spawn)
 //   60 wish 0,-1                         (for 60 ticks: walk along -Z)
 //   set step_up=off                      (from the next tick on)
@@ -27,6 +28,7 @@
 #include <vector>
 
 #include "slipface/movement/step.h"
+#include "slipface/sim/lecture_mover.h"
 
 namespace slipface {
 
@@ -50,6 +52,7 @@ struct Tape {
     std::string dt_text = "1/60";       // as written
     bool from_basic = false;            // true: `settings` change basic_settings(), else the level's
     std::vector<std::string> settings;  // "name=value", in order
+    const NamedMover* mover = nullptr;  // null: Slipface's own
     std::optional<Vec3> start;
     std::vector<TapeSegment> segments;
     std::vector<TapeChange> changes;  // ascending by tick, which is above 0
@@ -59,6 +62,11 @@ struct Tape {
 
     std::size_t tick_count() const;
 };
+
+// What moves the tape's player.
+inline StepFunction step_of(const Tape& tape) {
+    return tape.mover == nullptr ? step : tape.mover->step;
+}
 
 inline constexpr std::size_t max_tape_ticks = 10'000'000;
 
