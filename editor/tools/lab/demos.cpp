@@ -95,7 +95,6 @@ void show_demo(Editor& editor, const DemoInfo& info) {
     complete_runs(editor);
     show_lab(editor);
     fill_view(editor, demo.camera);
-    editor.lab.motion = LabMotion::forward;
     editor.status = sentences_of(info);
 }
 
