@@ -59,6 +59,7 @@ void fill_view(Editor& editor, const CameraBookmark& camera) {
             paths.add((sample.position + body).cwiseMin(level.max + 3.0 * body).cwiseMax(level.min));
         }
     editor.view.fov_y = camera.fov_y;
+    editor.view.yaw = 0.0;  // -Z upwards where the camera looks straight down
     editor.view.look_at(camera.eye, camera.target);
     editor.view.frame(paths, editor.view_aspect);
 }
@@ -95,6 +96,7 @@ void show_demo(Editor& editor, const DemoInfo& info) {
     complete_runs(editor);
     show_lab(editor);
     fill_view(editor, demo.camera);
+    editor.lab.seek(editor.lab.ticks());  // both runs at their ends, with their names
     editor.status = sentences_of(info);
 }
 
