@@ -110,10 +110,8 @@ class Comparison {
         if (order.matched == 0 || order.in_place == order.matched) return;
         const Reading place = read_by_place(edit);
         const bool stayed = !order.whole && place.in_place >= order.matched;
-        // Turned, or sorted? The order of the vertices, which the search knows, may say.
-        const bool all_there = place.in_place == edit.now.size() && place.in_place == edit.old.size();
         const bool too_small = !pair.named && edit.old.size() < enough_faces;
-        if (place.score > order.score || stayed || all_there || too_small) {
+        if (place.score > order.score || stayed || too_small) {
             order.before.assign(edit.now.size(), no_id);
             order.matched = 0;
             return;

@@ -71,7 +71,7 @@ const PartMotion* FaceMatcher::motion_of(std::size_t i) const {
 bool FaceMatcher::is_of_another_object(FaceId face, std::size_t i) const {
     const std::size_t part = i < parts_.of.size() ? parts_.of[i] : 0;
     return part > 0 && part <= parts_.parts.size() &&
-           objects_.differ(parts_.parts[part - 1].object.name, objects_.of_group[mesh_.face_group[face]]);
+           objects_.differ(parts_.parts[part - 1].object, objects_.of_group[mesh_.face_group[face]]);
 }
 
 // How far the face's mean of corners can be from where its part's motion puts it: by what rounding did to the
@@ -121,7 +121,7 @@ MatchedOverrides FaceMatcher::run() && {
 }
 
 const MeshParts& FaceMatcher::pieces() {
-    if (!pieces_) pieces_ = mesh_parts(mesh_, surfaces_);
+    if (!pieces_) pieces_ = mesh_parts(mesh_);
     return *pieces_;
 }
 

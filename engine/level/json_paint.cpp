@@ -13,6 +13,7 @@
 namespace slipface {
 namespace {
 
+// The name, and four that are 0: older programs had the number of a vertex there.
 constexpr std::size_t object_bytes = 7;
 
 // A row for each part, or all of them in one string.
@@ -31,16 +32,15 @@ void read_objects(const JsonNode& node, PaintParts& parts) {
     if (!node) return;
     const char* at = bytes.data();
     for (PaintPart& part : parts.parts) {
-        part.object.name = static_cast<std::uint32_t>(take_bytes(at, 3));
-        part.object.first_vertex = static_cast<std::uint32_t>(take_bytes(at, 4));
+        part.object = static_cast<std::uint32_t>(take_bytes(at, 3));
+        take_bytes(at, 4);
     }
 }
 
 // A row for each, so that a link to a run has few rows that differ.
 Json object_json(const PaintPart& part) {
     std::string bytes;
-    put_bytes(bytes, part.object.name, 3);
-    put_bytes(bytes, part.object.first_vertex, 4);
+    put_bytes(bytes, part.object, object_bytes);
     return json_string(to_base64(bytes, Base64::plain));
 }
 
@@ -229,14 +229,7 @@ std::optional<PaintParts> read_paint_parts(const JsonNode& node, std::span<const
     if (!node || corners.size() != 2) return std::nullopt;
     parts.bounds = {corners[0], corners[1]};
     const bool as_many = read_part_of_each(node["of"], painted.size(), parts.of);
-    std::size_t read = 0;
-    node["numbers"].each(max_paint_parts, [&](const JsonNode& row) {
-        const std::size_t i = read++;
-        if (i >= parts.parts.size()) return;
-        if (row.json().kind != Json::Kind::string ||
-            !unpack_numbers(row.json().text, list.json().items[i].text, parts.parts[i]))
-            row.fail("the numbers of the vertices of a part's rim, as base64");
-    });
+    static_cast<void>(node["numbers"]);  // of an older file
     if (const JsonNode objects = node["objects"]) read_objects(objects, parts);
     read_outlines(node["outlines"], painted.size(), parts.outlines);
     if (const JsonNode unpainted = node["unpainted"]) parts.unpainted = read_unpainted(unpainted);
@@ -265,12 +258,6 @@ Json paint_parts_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
     add_part_of_each(json, parts.of, order);
     json_add(json, "list",
              json_array_of(parts.parts, [](const PaintPart& part) { return json_string(pack_part(part)); }));
-    Json numbers = json_array_of(
-        parts.parts, [](const PaintPart& part) { return json_string(pack_numbers(part, pack_part(part))); });
-    // Painted parts come first.
-    while (!numbers.items.empty() && numbers.items.back().text.empty())
-        numbers.items.pop_back();
-    json_add(json, "numbers", std::move(numbers));
     json_add(json, "objects", json_array_of(parts.parts, object_json));
     json_add(json, "outlines", outlines_json(keys, parts.outlines, order));
     std::string bits((order.size() + 7) / 8, '\0');

@@ -74,7 +74,7 @@ bool FaceMatcher::has_grown(FaceId face, std::size_t i) const {
     const std::size_t part = i < parts_.of.size() ? parts_.of[i] : 0;
     return part > 0 && part <= parts_.parts.size() &&
            objects_.in_mesh.at(objects_.of_group[mesh_.face_group[face]]) >
-               objects_.in_old.at(parts_.parts[part - 1].object.name);
+               objects_.in_old.at(parts_.parts[part - 1].object);
 }
 
 // A face of the same outline that moved along the normal, with sides between: extruded. Nothing is where it

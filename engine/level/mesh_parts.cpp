@@ -79,25 +79,16 @@ bool before(const Vec3f& a, const Vec3f& b) {
 }
 
 // Begins at the lowest corner, so that the text does not depend on where the loop begins.
-AnchorFace anchor_face(const Mesh& mesh, const MeshParts& all, FaceId face) {
-    AnchorFace anchor;
-    anchor.rank = all.rank[face];
-    const std::uint32_t first = mesh.face_first_corner[face], count = mesh.face_corner_count(face);
-    std::uint32_t start = 0;
-    for (std::uint32_t c = 1; c < count; ++c)
-        if (before(mesh.corner_position(first + c), mesh.corner_position(first + start))) start = c;
-    for (std::uint32_t c = 0; c < count; ++c) {
-        const std::uint32_t corner = first + (start + c) % count;
-        anchor.corners.push_back(mesh.corner_position(corner));
-        const std::uint32_t vertex = all.first_there[mesh.corner_vertex[corner]];
-        anchor.numbers.push_back(mesh.number_in_group(mesh.face_group[face], vertex));
-    }
-    return anchor;
+AnchorFace anchor_face(const Mesh& mesh, FaceId face) {
+    AnchorFace corners;
+    for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c)
+        corners.push_back(mesh.corner_position(c));
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), before), corners.end());
+    return corners;
 }
 
 bool loop_before(const AnchorFace& a, const AnchorFace& b) {
-    return std::lexicographical_compare(a.corners.begin(), a.corners.end(), b.corners.begin(),
-                                        b.corners.end(), before);
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), before);
 }
 
 // Of each rim direction: the face with the outermost corner.
@@ -121,47 +112,16 @@ void find_anchors(const Mesh& mesh, const MeshParts& all, std::vector<PaintPart>
                     directions[d].dot(mesh.corner_position(mesh.face_first_corner[face] + c).cast<double>()));
             if (reach < rim.reach) continue;
             if (reach > rim.reach || rim.face == no_id ||
-                loop_before(anchor_face(mesh, all, face), anchor_face(mesh, all, rim.face)))
+                loop_before(anchor_face(mesh, face), anchor_face(mesh, rim.face)))
                 rim = {reach, face};
         }
     }
     for (std::size_t part = 0; part < parts.size(); ++part) {
         std::vector<AnchorFace>& anchors = parts[part].anchors;
         for (const Rim& rim : rims[part])
-            if (rim.face != no_id) anchors.push_back(anchor_face(mesh, all, rim.face));
+            if (rim.face != no_id) anchors.push_back(anchor_face(mesh, rim.face));
         std::sort(anchors.begin(), anchors.end(), loop_before);
         anchors.erase(std::unique(anchors.begin(), anchors.end()), anchors.end());
-    }
-}
-
-std::uint32_t hash_of_text(std::string_view text) {
-    Hasher hasher;
-    hasher.text(text);
-    return static_cast<std::uint32_t>(hasher.value());
-}
-
-void sort_parts(const Mesh& mesh, SurfaceTable surfaces, MeshParts& parts) {
-    std::vector<std::string> bases;
-    for (const Material& material : mesh.materials)
-        bases.push_back(base_material(material.name, surfaces));
-    std::vector<std::string> names = bases;
-    std::sort(names.begin(), names.end());
-    std::vector<std::uint64_t> number;  // [material] of its base name
-    for (const std::string& base : bases)
-        number.push_back(
-            static_cast<std::uint64_t>(std::lower_bound(names.begin(), names.end(), base) - names.begin()));
-    std::vector<KeyedIndex> order(mesh.face_count());
-    for (FaceId face = 0; face < mesh.face_count(); ++face)
-        order[face] = {std::uint64_t{parts.of[face]} << 32 | number[mesh.face_material[face]], face};
-    sort_by_key(order);
-    parts.first.assign(parts.parts.size() + 1, 0);
-    for (std::size_t part = 0; part < parts.parts.size(); ++part)
-        parts.first[part + 1] = parts.first[part] + parts.parts[part].faces;
-    parts.rank.resize(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const FaceId face = order[i].index;
-        parts.sorted.push_back(face);
-        parts.rank[face] = static_cast<std::uint32_t>(i) - parts.first[parts.of[face]];
     }
 }
 
@@ -171,30 +131,10 @@ std::uint32_t object_name(std::string_view name) {
     return static_cast<std::uint32_t>(hash_blocks(name.data(), name.size()) % 0xFFFFFF) + 1;
 }
 
-std::vector<MeshObject> objects_of(const Mesh& mesh) {
-    std::vector<MeshObject> objects;
-    for (const std::string& name : mesh.groups)
-        objects.push_back({object_name(name), no_id, 0});
-    std::vector<bool> shared(mesh.positions.size(), false);
-    for (const GroupVertex& vertex : mesh.group_vertices)
-        shared[vertex.vertex] = true;
-    for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        const std::uint32_t group = mesh.face_group[face];
-        MeshObject& object = objects[group];
-        for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c) {
-            const std::uint32_t vertex = mesh.corner_vertex[c];
-            const std::uint32_t number = mesh.number_in_group(shared[vertex] ? group : no_id, vertex);
-            object.first_vertex = std::min(object.first_vertex, number);
-            object.last_vertex = std::max(object.last_vertex, number);
-        }
-    }
-    return objects;
-}
-
 ObjectNames::ObjectNames(const Mesh& mesh, const PaintParts& parts) {
     if (parts.parts.empty()) return;  // nothing to compare, and a level can have a thousand selections
     for (const PaintPart& part : parts.parts)
-        in_old[part.object.name] += part.faces;
+        in_old[part.object] += part.faces;
     std::vector<std::size_t> faces(mesh.groups.size(), 0);
     for (const std::uint32_t group : mesh.face_group)
         ++faces[group];
@@ -204,10 +144,9 @@ ObjectNames::ObjectNames(const Mesh& mesh, const PaintParts& parts) {
     }
 }
 
-MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
+MeshParts mesh_parts(const Mesh& mesh) {
     MeshParts result;
-    result.first_there = welded(mesh);
-    const std::vector<std::uint32_t>& first = result.first_there;
+    const std::vector<std::uint32_t> first = welded(mesh);
     Union pieces(mesh.face_count());
     std::vector<std::uint32_t> face_at(mesh.positions.size(), no_id);  // [welded vertex] last face there
     for (const FaceId face : faces_by_group(mesh)) {
@@ -223,21 +162,19 @@ MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces) {
     result.of.resize(mesh.face_count());
     std::vector<std::uint32_t> number(mesh.face_count(), no_id);
     std::vector<std::uint32_t> rest(mesh.groups.size(), no_id);
-    const std::vector<MeshObject> objects = objects_of(mesh);
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const std::uint32_t root = pieces.root(face);
         const bool small = size[root] < small_part;
         std::uint32_t& part = small ? rest[mesh.face_group[face]] : number[root];
         if (part == no_id) {
             part = static_cast<std::uint32_t>(result.parts.size());
-            result.parts.emplace_back().object = objects[mesh.face_group[face]];
+            result.parts.emplace_back().object = object_name(mesh.groups[mesh.face_group[face]]);
         }
         result.of[face] = part;
         ++result.parts[part].faces;
         for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c)
             result.parts[part].box.add(mesh.corner_position(c).cast<double>());
     }
-    sort_parts(mesh, surfaces, result);
     return result;
 }
 
@@ -246,7 +183,7 @@ PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vecto
     PaintParts result;
     if (faces.empty()) return result;
     result.bounds = mesh.bounds;
-    MeshParts all = mesh_parts(mesh, surfaces);
+    MeshParts all = mesh_parts(mesh);
     std::vector<std::uint32_t> painted(all.parts.size(), 0);
     for (const FaceId face : faces)
         ++painted[all.of[face]];
@@ -289,7 +226,8 @@ PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vecto
     return result;
 }
 
-// 4 bytes number of faces, 6 x 4 box, then of each anchor 4 bytes rank, 1 byte number of corners, 3 x 4 each.
+// 4 bytes number of faces, 6 x 4 box, then of each anchor 4 bytes that are 0 (older programs had a number
+// there), 1 byte number of corners, 3 x 4 each.
 std::string pack_part(const PaintPart& part) {
     std::string bytes;
     const auto put = [&](const Vec3f& position) {
@@ -300,9 +238,9 @@ std::string pack_part(const PaintPart& part) {
     put(part.box.min.cast<float>());
     put(part.box.max.cast<float>());
     for (const AnchorFace& anchor : part.anchors) {
-        put_bytes(bytes, anchor.rank, 4);
-        put_bytes(bytes, anchor.corners.size(), 1);
-        for (const Vec3f& corner : anchor.corners)
+        put_bytes(bytes, 0, 4);
+        put_bytes(bytes, anchor.size(), 1);
+        for (const Vec3f& corner : anchor)
             put(corner);
     }
     return to_base64(bytes, Base64::plain);
@@ -327,58 +265,15 @@ bool unpack_part(std::string_view text, PaintPart& part) {
     while (at != end) {
         if (end - at < 5) return false;
         AnchorFace& anchor = part.anchors.emplace_back();
-        anchor.rank = static_cast<std::uint32_t>(take_bytes(at, 4));
+        take_bytes(at, 4);
         const std::size_t count = take_bytes(at, 1);
         if (count < 3 || count > max_anchor_corners || static_cast<std::size_t>(end - at) < 12 * count ||
             part.anchors.size() > rim_directions().size())
             return false;
         for (std::size_t i = 0; i < count; ++i)
-            anchor.corners.push_back(take());
+            anchor.push_back(take());
     }
     return valid && (part.box.min.array() <= part.box.max.array()).all();
-}
-
-// 4 bytes hash of `list`, 4 bytes the lowest vertex, 1 byte width; of each corner, how far its vertex is
-// above the lowest, in that many bytes.
-std::string pack_numbers(const PaintPart& part, std::string_view list) {
-    std::uint32_t lowest = no_id, highest = 0;
-    for (const AnchorFace& anchor : part.anchors) {
-        for (const std::uint32_t number : anchor.numbers) {
-            lowest = std::min(lowest, number);
-            highest = std::max(highest, number);
-        }
-    }
-    if (lowest == no_id) return {};
-    const std::size_t width = (static_cast<std::size_t>(std::bit_width(highest - lowest)) + 7) / 8;
-    std::string bytes;
-    put_bytes(bytes, hash_of_text(list), 4);
-    put_bytes(bytes, lowest, 4);
-    put_bytes(bytes, width, 1);
-    for (const AnchorFace& anchor : part.anchors)
-        for (const std::uint32_t number : anchor.numbers)
-            put_bytes(bytes, number - lowest, width);
-    return to_base64(bytes, Base64::plain);
-}
-
-bool unpack_numbers(std::string_view text, std::string_view list, PaintPart& part) {
-    const std::optional<std::string> bytes = from_base64(text, Base64::plain);
-    if (!bytes) return false;
-    if (bytes->empty()) return true;
-    if (bytes->size() < 9) return false;
-    const char* at = bytes->data();
-    const bool same = take_bytes(at, 4) == hash_of_text(list);
-    const std::uint64_t lowest = take_bytes(at, 4);
-    const std::size_t width = take_bytes(at, 1);
-    if (!same) return true;
-    std::size_t corners = 0;
-    for (const AnchorFace& anchor : part.anchors)
-        corners += anchor.corners.size();
-    if (width > 4 || bytes->size() != 9 + width * corners) return false;
-    for (AnchorFace& anchor : part.anchors)
-        for (std::size_t c = 0; c < anchor.corners.size(); ++c)
-            anchor.numbers.push_back(
-                static_cast<std::uint32_t>(std::min<std::uint64_t>(lowest + take_bytes(at, width), no_id)));
-    return true;
 }
 
 }  // namespace slipface

@@ -10,14 +10,7 @@ namespace slipface {
 struct MeshParts {
     std::vector<PaintPart> parts;   // without anchors
     std::vector<std::uint32_t> of;  // [face] its part
-    // The faces of each part in the order of AnchorFace::rank.
-    std::vector<std::uint32_t> first;  // [part + 1]
-    std::vector<FaceId> sorted;
-    std::vector<std::uint32_t> rank;         // [face]
-    std::vector<std::uint32_t> first_there;  // [vertex] the first vertex at the same position
 };
-
-std::vector<MeshObject> objects_of(const Mesh& mesh);  // [group]
 
 // The objects of the old file and of a mesh by their names (object_name()). Empty if the old file has no
 // parts.
@@ -34,6 +27,6 @@ struct ObjectNames {
     std::vector<std::uint32_t> of_group;                   // of the mesh
 };
 
-MeshParts mesh_parts(const Mesh& mesh, SurfaceTable surfaces);
+MeshParts mesh_parts(const Mesh& mesh);
 
 }  // namespace slipface

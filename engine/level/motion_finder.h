@@ -17,8 +17,7 @@ inline constexpr std::size_t max_guesses = 500'000;  // motions examined, of all
 inline constexpr double enough_anchors = 0.7;        // of the anchor corners, that a motion must explain
 inline constexpr double lost_below = 0.3;            // of the anchor corners
 inline constexpr double in_place = 0.85;             // fraction of anchor corners of a part that stayed
-inline constexpr double vertices_in_order = 0.7;     // of PartSupport::vertex_order_kept(): not by chance
-inline constexpr std::size_t few_anchors = 8;        // faces that can come into any order by chance
+inline constexpr std::size_t few_anchors = 8;        // faces that look like others by chance
 inline constexpr std::size_t few_parts = 3;          // of which too little is known to be sure
 inline constexpr double vote_slack = 0.3;            // by which parts yield to the motion of other parts
 
@@ -32,7 +31,7 @@ class MotionFinder {
   private:
     struct Rated {
         PartMotion motion;
-        double sum = 0.0, ranks = 0.0;  // of its support; `ranks`: how much of the order is kept
+        double sum = 0.0;  // of its support
     };
     struct Part {
         PartMotion best;
@@ -41,10 +40,7 @@ class MotionFinder {
         double best_rating = 0.0;
         bool searched = false;
         bool voted = false;         // other parts made the same motion
-        bool certain = false;       // the mesh's vertices say it; nothing else is asked
         std::vector<Rated> others;  // motions that were considered
-        std::optional<PartMotion>
-            turned;  // what the order of the faces says, though staying explains as much
     };
 
     struct Move {
@@ -58,7 +54,6 @@ class MotionFinder {
     void find_flipped();
     void consider(std::size_t part, const PartMotion& motion);
     void try_known(std::size_t part);
-    void try_ranks(std::size_t part);
     void try_boxes(std::size_t part);
     void try_box(std::size_t part, const Aabb& from, const Aabb& to);
     void try_corners(std::size_t part);
@@ -69,32 +64,10 @@ class MotionFinder {
     std::optional<PartMotion> refitted(std::size_t part, const PartMotion& rough) const;
     static bool same(const Aabb& box, const PartMotion& a, const PartMotion& b);  // for what lies in the box
 
-    // part_exchange.cpp: equal parts that seem to have changed places
-    enum class Exchange { none, unclear, by_tool };
-    using Motions = std::vector<std::optional<PartMotion>>;  // [part]
-    void undo_exchanges(Motions& says, std::vector<bool> named);
-    PartMotion usual_motion(const Motions& says) const;
-    Exchange exchange_of(std::size_t part, const PartMotion& says, const PartMotion& most);
-    std::uint32_t name_at(std::size_t part, const PartMotion& motion);
-    std::uint32_t part_at(std::size_t part, const PartMotion& motion);
-
-    // part_vertices.cpp: what the order of the vertices says
-    void trust_vertices();
-    std::optional<PartMotion> motion_of_vertices(std::size_t part, bool by_object);
-
-    // part_order.cpp: what the order of the faces says
-    void try_order(std::size_t part);
-    void trust_order();
-    double order(std::size_t part, const PartMotion& motion);
-    double ranks(std::size_t part, const PartMotion& motion);  // 0 if a tool sorted the faces
-    bool keeps_order();
-    bool turns_in_place(std::size_t part, const PartMotion& motion) const;
-    std::vector<PartMotion> rank_motions(std::size_t part);
-    std::optional<PartMotion> motion_of_symmetric_level();
-
     // part_vote.cpp: the parts together
     void vote();
     void exchange(std::size_t part);
+    std::optional<PartMotion> motion_of_symmetric_level();
     void doubt(std::size_t part);
     bool is_unexplained(std::size_t part);
     bool lies_as_before(std::size_t part);
@@ -128,8 +101,6 @@ class MotionFinder {
     std::vector<PartMotion> candidates_;  // all that nearly explain as much
     std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;
     std::size_t guesses_ = 0;
-    std::size_t in_order_ = 0, out_of_order_ = 0;  // parts that stayed
-    bool has_order_ = true;                        // the order of the file is kept
 };
 
 }  // namespace slipface

@@ -55,7 +55,7 @@ std::size_t MotionFinder::parts_with_motion(std::size_t i) const {
 // nearly as well, that is its own.
 void MotionFinder::yield_to_most(std::size_t i) {
     Part& part = parts_[i];
-    if (part.certain || part.best.is_identity() || part.best_support.sum() > 2.0 - 1e-9) return;
+    if (part.best.is_identity() || part.best_support.sum() > 2.0 - 1e-9) return;
     const std::size_t own = parts_with_motion(i);
     for (const Move& move : moves_) {
         if (move.parts <= std::max(own, others)) return;
@@ -82,7 +82,7 @@ void MotionFinder::follow_level() {
         return;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         Part& part = parts_[i];
-        if (part.certain || support_.points(i).empty() || part.staying.corners >= 0.5 ||
+        if (support_.points(i).empty() || part.staying.corners >= 0.5 ||
             same(stored_.parts[i].box, moves_[0].motion, part.best))
             continue;
         PartMotion motion = moves_[0].motion;
@@ -137,7 +137,7 @@ void MotionFinder::one_part_each_place() {
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [rating, i] : order) {
         Part& part = parts_[i];
-        if (part.certain || !is_claimed(i, part.best)) continue;
+        if (!is_claimed(i, part.best)) continue;
         part.best = PartMotion{};
         part.best_support = part.staying;
         part.best_rating = 0.0;

@@ -17,26 +17,12 @@ struct FaceLookup;
 struct StoredOverride;
 
 // A face at a part's rim; it shows where the part is.
-struct AnchorFace {
-    std::uint32_t rank = 0;  // number among the part's faces, sorted by base material and then as in the file
-    std::vector<Vec3f> corners;
-    // [corner] the number of its vertex in the geometry's file, the first of its object at that position;
-    // none in an older level file
-    std::vector<std::uint32_t> numbers;
-    friend bool operator==(const AnchorFace&, const AnchorFace&) = default;
-};
-
-// A group of the geometry's file, as the objects of modelling tools become.
-struct MeshObject {
-    std::uint32_t name = 0;          // object_name() of its name; 0: not known
-    std::uint32_t first_vertex = 0;  // the lowest number of its vertices in the geometry's file
-    std::uint32_t last_vertex = 0;   // the highest; not stored in level files
-};
+using AnchorFace = std::vector<Vec3f>;  // corners
 
 // A connected piece of a group, or all small pieces of a group together.
 struct PaintPart {
-    std::uint32_t faces = 0;  // painted or not
-    MeshObject object;
+    std::uint32_t faces = 0;   // painted or not
+    std::uint32_t object = 0;  // object_name() of its group; 0: not known
     Aabb box;
     std::vector<AnchorFace> anchors;  // none if no face is painted
 };
@@ -72,11 +58,6 @@ PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vecto
 // A part in base64, and back; false if `text` is none.
 std::string pack_part(const PaintPart& part);
 bool unpack_part(std::string_view text, PaintPart& part);
-
-// The numbers of a part's anchors' vertices, and back. `list`: the text of pack_part(); numbers that were
-// packed for another one are left out. False if `text` is none.
-std::string pack_numbers(const PaintPart& part, std::string_view list);
-bool unpack_numbers(std::string_view text, std::string_view list, PaintPart& part);
 
 // Where a part went: position p became linear * p + offset.
 struct PartMotion {

@@ -52,11 +52,8 @@ PartMotions MotionFinder::run() && {
     // Of parts without paint only the box is known: they do what most of the others do.
     for (std::size_t part = 0; part < parts_.size(); ++part)
         if (2 * gone > painted && support_.points(part).empty()) support_.set_gone(part);
-    has_order_ = gone == 0 || keeps_order();
-    trust_vertices();
     for (std::size_t part = 0; part < parts_.size(); ++part)
-        if (!parts_[part].certain) find(part);
-    trust_order();
+        find(part);
     vote();
     collect_moves();
     for (Move& move : moves_)
@@ -100,7 +97,7 @@ PartMotions MotionFinder::run() && {
 }
 
 // A part of which each face has one at its back looks as if nothing had happened. It did what most others
-// did, if the order of its faces does not say something else.
+// did.
 void MotionFinder::find_flipped() {
     using Looks = PartSupport::Looks;
     std::vector<std::size_t> unclear;
@@ -115,13 +112,11 @@ void MotionFinder::find_flipped() {
     }
     for (const std::size_t i : unclear) {
         PartMotion& best = parts_[i].best;
-        const Looks order = support_.looks_by_rank(i, best);
         PartMotion back = best;
         back.flipped = true;
-        const bool most = flipped > others, known = order != Looks::both;
-        const bool doubtful = (known && (order == Looks::back) != most) || (most && !known);
-        best.guessed = best.guessed || (doubtful && types_.differ(i, best, back));
-        best.flipped = known ? order == Looks::back : most;
+        const bool most = flipped > others;
+        best.guessed = best.guessed || (most && types_.differ(i, best, back));
+        best.flipped = most;
     }
 }
 
@@ -129,26 +124,20 @@ void MotionFinder::find(std::size_t i) {
     Part& part = parts_[i];
     part.best_support = part.staying;
     if (support_.points(i).size() < 3) return;
-    if (part.staying.corners >= in_place) return try_order(i);
+    if (part.staying.corners >= in_place) return;
     part.searched = true;
     try_known(i);
-    try_ranks(i);
-    const bool few = stored_.parts[i].anchors.size() < few_anchors;
-    if (few || part.best.is_identity() || part.best_support.sum() < 2.0 - 1e-9 ||
-        part.best_support.ranks < 0.75) {
-        try_boxes(i);
-        // Of what is still there in part, equal tiles elsewhere say nothing.
-        if (part.staying.corners < lost_below) try_corners(i);
-    }
+    try_boxes(i);
+    // Of what is still there in part, equal tiles elsewhere say nothing.
+    if (part.staying.corners < lost_below) try_corners(i);
     if (!part.best.is_identity()) known_.push_back(part.best);
 }
 
 void MotionFinder::consider(std::size_t i, const PartMotion& motion) {
     Part& part = parts_[i];
     ++guesses_;
-    MotionSupport found = support_.support(i, motion, enough_anchors);
+    const MotionSupport found = support_.support(i, motion, enough_anchors);
     if (found.corners < enough_anchors || found.sum() < part.best_support.sum() - vote_slack) return;
-    found.ranks = ranks(i, motion);
     // What explains all needs to explain only a little more than staying does.
     const double more = found.sum() - part.staying.sum();
     const bool whole = found.sum() > 2.0 - 1e-9;
@@ -158,12 +147,12 @@ void MotionFinder::consider(std::size_t i, const PartMotion& motion) {
     if (support_.is_taken(i, motion)) return;
     add_candidate(i, motion);
     constexpr std::size_t max_others = 32;
-    if (part.others.size() < max_others) part.others.push_back({motion, found.sum(), found.ranks});
+    if (part.others.size() < max_others) part.others.push_back({motion, found.sum()});
     const PaintPart& old = stored_.parts[i];
     const double cost = effort(motion, old.box.centre(), old.box.size().norm());
-    // Deleted faces make one of a symmetric part's motions fit a little better by chance, so the order
-    // and the effort count more than a little.
-    const double rating = found.sum() + 0.3 * found.ranks - 0.1 * std::min(cost, 2.0);
+    // Deleted faces make one of a symmetric part's motions fit a little better by chance, so the effort
+    // counts more than a little.
+    const double rating = found.sum() - 0.1 * std::min(cost, 2.0);
     if (!part.best.is_identity() && rating <= part.best_rating) return;
     part.best = motion;
     part.best_support = found;
@@ -173,13 +162,6 @@ void MotionFinder::consider(std::size_t i, const PartMotion& motion) {
 void MotionFinder::try_known(std::size_t i) {
     for (std::size_t k = 0; k < known_.size() && k < 64 && guesses_ < max_guesses; ++k)
         consider(i, known_[k]);
-}
-
-// A part with as many faces has them in the same order: any affine motion, even a shear, follows from the
-// anchors' centroids.
-void MotionFinder::try_ranks(std::size_t i) {
-    for (const PartMotion& motion : rank_motions(i))
-        consider(i, motion);
 }
 
 // The part's box became the box of a part with as many faces, or of the same shape; or the whole level's
@@ -216,10 +198,9 @@ void MotionFinder::try_corners(std::size_t i) {
     };
     std::vector<Three> threes;
     for (const AnchorFace& face : stored_.parts[i].anchors) {
-        const std::size_t count = face.corners.size();
-        for (std::size_t c = 0; c < count; ++c) {
+        for (std::size_t c = 0; c < face.size(); ++c) {
             const auto at = [&](std::size_t k) {
-                return face.corners[(c + k) % count].cast<double>().eval();
+                return face[(c + k) % face.size()].cast<double>().eval();
             };
             const ThreeCorners corners{at(0), at(1), at(2)};
             if (const std::size_t places = similar_.count(corners); places > 0)

@@ -16,11 +16,10 @@ constexpr std::size_t max_sampled_keys = 48;  // of a part
 FaceKey anchor_key(const AnchorFace& anchor) {
     FaceKey key;
     Vec3 vector = Vec3::Zero();
-    for (std::size_t c = 0; c < anchor.corners.size(); ++c) {
-        const Vec3 here = (anchor.corners[c] - anchor.corners[0]).cast<double>();
-        const Vec3 next =
-            (anchor.corners[(c + 1) % anchor.corners.size()] - anchor.corners[0]).cast<double>();
-        key.centroid += anchor.corners[c].cast<double>() / static_cast<double>(anchor.corners.size());
+    for (std::size_t c = 0; c < anchor.size(); ++c) {
+        const Vec3 here = (anchor[c] - anchor[0]).cast<double>();
+        const Vec3 next = (anchor[(c + 1) % anchor.size()] - anchor[0]).cast<double>();
+        key.centroid += anchor[c].cast<double>() / static_cast<double>(anchor.size());
         vector += 0.5 * here.cross(next);
     }
     key.area = vector.norm();
@@ -37,44 +36,22 @@ PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable 
       surfaces_(surfaces),
       stored_(parts),
       grid_(mesh),
-      objects_(objects_of(mesh)),
-      names_(mesh, parts) {
-    const auto add_number = [this](std::uint32_t number, std::uint32_t vertex) {
-        if (number >= vertex_of_.size()) vertex_of_.resize(number + std::size_t{1}, no_id);
-        vertex_of_[number] = vertex;
+      names_(mesh, parts),
+      samples_(parts.parts.size()) {
+    const auto before = [](const Vec3& a, const Vec3& b) {
+        return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
     };
-    for (std::uint32_t vertex = 0; vertex < mesh.positions.size(); ++vertex)
-        add_number(mesh.vertex_number.empty() ? vertex : mesh.vertex_number[vertex], vertex);
-    for (const GroupVertex& vertex : mesh.group_vertices)
-        add_number(vertex.number, vertex.vertex);
-    name_groups();
-    samples_.resize(parts.parts.size());
     for (std::size_t part = 0; part < samples_.size(); ++part) {
-        struct Point {
-            Vec3 position;
-            std::uint32_t number;
-        };
-        std::vector<Point> points;
-        bool known = true;
-        for (const AnchorFace& anchor : parts.parts[part].anchors) {
-            known = known && anchor.numbers.size() == anchor.corners.size();
-            for (std::size_t c = 0; c < anchor.corners.size(); ++c)
-                points.push_back({anchor.corners[c].cast<double>(), known ? anchor.numbers[c] : no_id});
-        }
-        std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
-            return std::lexicographical_compare(a.position.data(), a.position.data() + 3, b.position.data(),
-                                                b.position.data() + 3);
-        });
-        points.erase(std::unique(points.begin(), points.end(),
-                                 [](const Point& a, const Point& b) { return a.position == b.position; }),
-                     points.end());
+        std::vector<Vec3> points;
+        for (const AnchorFace& anchor : parts.parts[part].anchors)
+            for (const Vec3f& corner : anchor)
+                points.emplace_back(corner.cast<double>());
+        std::sort(points.begin(), points.end(), before);
+        points.erase(std::unique(points.begin(), points.end()), points.end());
         // Neighbours one after another say the same; a large step lets a wrong motion fail early.
         const std::size_t step = points.size() % 7 != 0 ? 7 : points.size() % 5 != 0 ? 5 : 1;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const Point& point = points[i * step % points.size()];
-            samples_[part].points.push_back(point.position);
-            if (known) samples_[part].numbers.push_back(point.number);
-        }
+        for (std::size_t i = 0; i < points.size(); ++i)
+            samples_[part].points.push_back(points[i * step % points.size()]);
     }
     for (std::size_t i = 0; i < stored.size() && i < parts.of.size(); ++i)
         if (parts.of[i] > 0 && parts.of[i] <= samples_.size())
@@ -86,35 +63,6 @@ PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable 
             sample.keys[i] = sample.keys[i * step];
         sample.keys.resize(sample.keys.size() / step);
     }
-}
-
-// Where several objects have one name, now or before, it does not say which one is which.
-void PartSupport::name_groups() {
-    const auto add = [](auto& map, std::uint32_t name, std::uint32_t which) {
-        const auto [known, added] = map.emplace(name, which);
-        if (!added && known->second != which) known->second = no_id;
-    };
-    std::map<std::uint32_t, std::uint32_t> before;  // [name] the object's first vertex
-    for (const PaintPart& part : stored_.parts)
-        add(before, part.object.name, part.object.first_vertex);
-    for (std::uint32_t group = 0; group < objects_.size(); ++group)
-        if (objects_[group].first_vertex != no_id) add(group_of_, objects_[group].name, group);
-    for (const auto& [name, first_vertex] : before)
-        if (first_vertex == no_id) group_of_[name] = no_id;
-}
-
-std::uint32_t PartSupport::group_named(std::uint32_t name) const {
-    const auto found = group_of_.find(name);
-    return found == group_of_.end() ? no_id : found->second;
-}
-
-std::uint32_t PartSupport::numbered_in_object(std::size_t part, std::uint32_t number) const {
-    const MeshObject& old = stored_.parts[part].object;
-    const std::uint32_t group = group_named(old.name);
-    if (group == no_id || number < old.first_vertex) return no_id;
-    const MeshObject& object = objects_[group];
-    const std::uint64_t now = std::uint64_t{object.first_vertex} + (number - old.first_vertex);
-    return now <= object.last_vertex ? numbered(static_cast<std::uint32_t>(now)) : no_id;
 }
 
 double PartSupport::tolerance(const PartMotion& motion, const Vec3& from, const Vec3& to) const {
@@ -167,7 +115,7 @@ PartSupport::Side PartSupport::find_face(const FaceKey& key, const PartMotion& m
 
 const MeshParts& PartSupport::all() {
     if (all_) return *all_;
-    all_ = mesh_parts(mesh_, surfaces_);
+    all_ = mesh_parts(mesh_);
     vertex_part_.assign(mesh_.positions.size(), no_id);
     for (FaceId face = 0; face < mesh_.face_count(); ++face)
         for (std::uint32_t c = mesh_.face_first_corner[face]; c < mesh_.face_first_corner[face + 1]; ++c)
@@ -228,12 +176,12 @@ bool PartSupport::is_taken(std::size_t i, const PartMotion& motion) {
 }
 
 bool PartSupport::is_another_object(std::size_t i, const PartMotion& motion) {
-    const std::uint32_t name = stored_.parts[i].object.name;
+    const std::uint32_t name = stored_.parts[i].object;
     const std::vector<std::uint32_t> parts = parts_at(i, motion);
     const auto others = std::count_if(parts.begin(), parts.end(), [&](std::uint32_t part) {
-        const std::uint32_t owner = owner_[part], there = all_->parts[part].object.name;
+        const std::uint32_t owner = owner_[part], there = all_->parts[part].object;
         return owner != no_id && !samples_[owner].gone && there != name &&
-               there == stored_.parts[owner].object.name;
+               there == stored_.parts[owner].object;
     });
     return name != 0 && 2 * static_cast<std::size_t>(others) > parts.size();
 }
@@ -247,67 +195,6 @@ std::vector<std::uint32_t> PartSupport::parts_at(std::size_t i, const PartMotion
         if (vertex != no_id && vertex_part_[vertex] != no_id) parts.push_back(vertex_part_[vertex]);
     }
     return parts;
-}
-
-double PartSupport::ranks_kept(std::size_t i, const PartMotion& motion) {
-    const std::vector<AnchorFace>& anchors = stored_.parts[i].anchors;
-    std::size_t kept = 0;
-    for (const AnchorFace& anchor : anchors) {
-        Vec3 centroid = Vec3::Zero();
-        for (const Vec3f& corner : anchor.corners)
-            centroid += corner.cast<double>() / static_cast<double>(anchor.corners.size());
-        const Vec3 to = motion(centroid);
-        const double reach = std::min(4.0 * position_tolerance(to), tolerance(motion, centroid, to));
-        bool same = false;
-        for (const FaceId face : index_.near(to, reach))
-            same = same || all().rank[face] == anchor.rank;
-        kept += same ? 1 : 0;
-    }
-    return anchors.empty() ? 0.0 : static_cast<double>(kept) / static_cast<double>(anchors.size());
-}
-
-double PartSupport::order_kept(std::size_t i, const PartMotion& motion) const {
-    std::vector<const AnchorFace*> anchors;
-    for (const AnchorFace& anchor : stored_.parts[i].anchors)
-        anchors.push_back(&anchor);
-    std::sort(anchors.begin(), anchors.end(),
-              [](const AnchorFace* a, const AnchorFace* b) { return a->rank < b->rank; });
-    std::map<std::string, FaceId> last;  // [base material]
-    std::size_t kept = 0, pairs = 0;
-    for (const AnchorFace* anchor : anchors) {
-        Vec3 centroid = Vec3::Zero();
-        for (const Vec3f& corner : anchor->corners)
-            centroid += corner.cast<double>() / static_cast<double>(anchor->corners.size());
-        const Vec3 to = motion(centroid);
-        const double reach = std::min(4.0 * position_tolerance(to), tolerance(motion, centroid, to));
-        const std::vector<FaceId> faces = index_.near(to, reach);
-        if (faces.size() != 1) continue;  // several faces at one place have no order
-        const auto [before, first] = last.emplace(index_.base(faces[0]), faces[0]);
-        if (first) continue;
-        ++pairs;
-        kept += faces[0] > before->second ? 1 : 0;
-        before->second = faces[0];
-    }
-    return pairs == 0 ? 1.0 : static_cast<double>(kept) / static_cast<double>(pairs);
-}
-
-std::optional<double> PartSupport::vertex_order_kept(std::size_t i, const PartMotion& motion) const {
-    constexpr std::size_t enough = 6;
-    const Sample& sample = samples_[i];
-    const std::uint32_t group = group_named(stored_.parts[i].object.name);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;  // old number, new number
-    for (std::size_t k = 0; k < sample.numbers.size(); ++k) {
-        const Vec3 to = motion(sample.points[k]);
-        const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, sample.points[k], to));
-        if (vertex != no_id) found.push_back({sample.numbers[k], mesh_.number_in_group(group, vertex)});
-    }
-    if (found.size() < enough) return std::nullopt;
-    std::sort(found.begin(), found.end());
-    std::size_t rising = 0;
-    for (std::size_t k = 1; k < found.size(); ++k)
-        rising += found[k].second > found[k - 1].second ? 1 : 0;
-    const double kept = static_cast<double>(rising) / static_cast<double>(found.size() - 1);
-    return std::max(0.0, 2.0 * kept - 1.0);
 }
 
 MotionSupport PartSupport::support(std::size_t part, const PartMotion& motion, double least) const {
@@ -344,24 +231,6 @@ PartSupport::Looks PartSupport::looks(std::size_t part, const PartMotion& motion
     constexpr double much_more = 10.0;
     if (other > much_more * same && 2.0 * other > all - both) return Looks::back;
     return same == 0.0 && 2.0 * both > all ? Looks::both : Looks::as_before;
-}
-
-PartSupport::Looks PartSupport::looks_by_rank(std::size_t part, const PartMotion& motion) {
-    constexpr double nearly_all = 0.9;
-    const std::vector<AnchorFace>& anchors = stored_.parts[part].anchors;
-    std::size_t same = 0, other = 0;
-    for (const AnchorFace& anchor : anchors) {
-        const FaceKey key = anchor_key(anchor), moved = moved_key(key, motion);
-        const double reach = std::min(4.0 * position_tolerance(moved.centroid),
-                                      tolerance(motion, key.centroid, moved.centroid));
-        for (const FaceId face : index_.near(moved.centroid, reach)) {
-            const double along = index_.key(face).normal.dot(moved.normal);
-            if (all().rank[face] == anchor.rank && std::abs(along) > 0.998) ++(along > 0.0 ? same : other);
-        }
-    }
-    if (static_cast<double>(same + other) < nearly_all * static_cast<double>(anchors.size()))
-        return Looks::both;
-    return other == 0 ? Looks::as_before : same == 0 ? Looks::back : Looks::both;
 }
 
 bool PartSupport::stays_inside(std::size_t i, const PartMotion& motion) const {

@@ -23,7 +23,6 @@ bool lies_in(const Aabb& a, const Aabb& b, double slack);
 
 struct MotionSupport {
     double corners = 0.0, keys = 0.0;  // fractions
-    double ranks = 0.0;                // fraction of anchors with their place in the file's order
     double sum() const { return corners + keys; }
 };
 
@@ -40,34 +39,11 @@ class PartSupport {
     // The different corners of the part's anchors. Neighbours are not one after another.
     const std::vector<Vec3>& points(std::size_t part) const { return samples_[part].points; }
 
-    // [of points()] the number of its vertex in the old file; empty if they are not known.
-    const std::vector<std::uint32_t>& numbers(std::size_t part) const { return samples_[part].numbers; }
-
-    // The vertex with this number in the new file; no_id: none.
-    std::uint32_t numbered(std::uint32_t number) const {
-        return number < vertex_of_.size() ? vertex_of_[number] : no_id;
-    }
-
-    // The vertex with this number of the old file in the object of the part's name, wherever the new file has
-    // it.
-    std::uint32_t numbered_in_object(std::size_t part, std::uint32_t number) const;
-
     // Some of the part's painted faces.
     const std::vector<const FaceKey*>& keys(std::size_t part) const { return samples_[part].keys; }
 
-    // Without `ranks`; nothing as soon as the fraction of corners must be below `least`.
+    // Nothing as soon as the fraction of corners must be below `least`.
     MotionSupport support(std::size_t part, const PartMotion& motion, double least) const;
-
-    // The fraction of the part's anchors with their place in the file's order.
-    double ranks_kept(std::size_t part, const PartMotion& motion);
-
-    // The fraction of the faces at the places of the anchors that come in the same order as before; 1 if
-    // there are too few.
-    double order_kept(std::size_t part, const PartMotion& motion) const;
-
-    // How much of the vertices' order at these points is kept: 1 all, 0 no more than by chance; none if too
-    // few are known.
-    std::optional<double> vertex_order_kept(std::size_t part, const PartMotion& motion) const;
 
     // PartMotion::rest of this motion.
     double rest(std::size_t part, const PartMotion& motion) const;
@@ -80,8 +56,6 @@ class PartSupport {
     // Which way most of the area of the painted faces and of those at the rim looks, if they are there.
     enum class Looks { as_before, back, both };  // `both`: every face has one at its back
     Looks looks(std::size_t part, const PartMotion& motion) const;
-    // The same of those at the rim, if nearly all have their place in the file's order; else `both`.
-    Looks looks_by_rank(std::size_t part, const PartMotion& motion);
 
     // The part is not where it was: what lies in its box now is another one.
     void set_gone(std::size_t part) { samples_[part].gone = true; }
@@ -94,7 +68,7 @@ class PartSupport {
 
     // Whether the mesh's part is of another object than the stored one.
     bool differ(std::size_t part, std::uint32_t part_of_mesh) {
-        return names_.differ(stored_.parts[part].object.name, all().parts[part_of_mesh].object.name);
+        return names_.differ(stored_.parts[part].object, all().parts[part_of_mesh].object);
     }
 
     // True if the motion puts the part where another one stayed, or into another object.
@@ -125,14 +99,11 @@ class PartSupport {
   private:
     struct Sample {
         std::vector<Vec3> points;
-        std::vector<std::uint32_t> numbers;
         std::vector<const FaceKey*> keys;
         bool gone = false;
     };
     enum class Side { none, same, other, both };
 
-    void name_groups();
-    std::uint32_t group_named(std::uint32_t name) const;  // of the mesh; no_id: none, or several
     double tolerance(const PartMotion& motion, const Vec3& from, const Vec3& to) const;
     double corners_hit(const Sample& sample, const PartMotion& motion, double least) const;
     Side find_face(const FaceKey& key, const PartMotion& motion, bool& same_material) const;
@@ -142,9 +113,6 @@ class PartSupport {
     SurfaceTable surfaces_;
     const PaintParts& stored_;
     VertexGrid grid_;
-    std::vector<std::uint32_t> vertex_of_;             // [number in the file]
-    std::vector<MeshObject> objects_;                  // [group] of the new file
-    std::map<std::uint32_t, std::uint32_t> group_of_;  // [name]; no_id: several
     const ObjectNames names_;
     std::vector<Sample> samples_;  // [part]
     std::optional<MeshParts> all_;

@@ -44,14 +44,9 @@ void MotionFinder::vote() {
             for (const std::size_t k : voter.motions)
                 ++votes[k];
         std::size_t most = no_id;
-        // Of motions of as many parts the one that keeps more of their order, else the one that does less.
+        // Of motions of as many parts the one that does less.
         const auto rating = [&](std::size_t k) {
-            double order = 0.0;
-            for (const Voter& voter : voters)
-                for (std::size_t own = 0; own < voter.motions.size(); ++own)
-                    if (voter.motions[own] == k) order += ranks(voter.part, voter.exact[own]);
-            return order / static_cast<double>(votes[k]) -
-                   0.1 * effort(candidates_[k], stored_.bounds.centre(), stored_.bounds.size().norm());
+            return -effort(candidates_[k], stored_.bounds.centre(), stored_.bounds.size().norm());
         };
         double best = 0.0;
         for (std::size_t k = 0; k < votes.size(); ++k) {
@@ -141,38 +136,44 @@ bool MotionFinder::lies_as_before(std::size_t i) {
     return std::max((by_area / found).determinant(), (by_face / faces).determinant()) > can_slide;
 }
 
-// Two equal parts that a motion of others put into each other's place look as if they had stayed, but the
-// order of their faces says that they did not.
+// Two equal parts that a motion of others put into each other's place look as if they had stayed. If all
+// could have made it, they did; else that is a question.
 void MotionFinder::exchange(std::size_t i) {
     Part& part = parts_[i];
-    if (part.searched || part.certain || !part.best.is_identity() || support_.points(i).size() < 3) return;
-    if (moves_.empty()) return;
-    // Symmetric parts of a level that was mirrored as a whole are out of order where they seem to have
-    // stayed, so has_order_ says little. Both orders, of faces and vertices, come back by no wrong motion.
-    constexpr double both_orders = 1.5;
-    const double staying = order(i, part.best);
-    if (staying >= (has_order_ ? 0.9 : both_orders)) return;
+    if (part.searched || !part.best.is_identity() || support_.points(i).size() < 3) return;
     for (const Move& move : moves_) {
         const PartMotion& motion = move.motion;
-        if (motion.is_identity()) continue;
+        if (motion.is_identity() || !types_.differ(i, PartMotion{}, motion)) continue;
         const MotionSupport found = support_.support(i, motion, enough_anchors);
         if (found.sum() < part.staying.sum() - 1e-9) continue;
-        const double moved = order(i, motion);
-        if (!has_order_ && moved < both_orders && !move.of_all) {
-            if (types_.differ(i, PartMotion{}, motion)) {
-                part.best.guessed = true;
-                part.rival = motion;
-            }
-            continue;
-        }
-        if (moved <= staying && !move.of_all) continue;
-        part.best = motion;
-        part.best.guessed = types_.differ(i, PartMotion{}, motion);
-        part.rival = PartMotion{};
+        part.best.guessed = true;
+        part.rival = motion;
+        if (!move.of_all) continue;
+        std::swap(part.best, *part.rival);
+        part.best.guessed = true;
         part.best_support = found;
         part.voted = true;
         return;
     }
+}
+
+// A symmetric level that a tool turned or mirrored, and whose faces it sorted, looks as if it had stayed. How
+// it did, if types would then be others.
+std::optional<PartMotion> MotionFinder::motion_of_symmetric_level() {
+    if (stored_.tokens.empty()) return std::nullopt;  // an older file: nobody knows whether they are sorted
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        if (!support_.points(i).empty() &&
+            (!parts_[i].best.is_identity() || parts_[i].staying.sum() < 2.0 - 1e-9))
+            return std::nullopt;
+    const std::vector<PartMotion> motions = box_motions(stored_.bounds, stored_.bounds);
+    const auto found = std::find_if(motions.begin(), motions.end(), [&](const PartMotion& motion) {
+        if (motion.is_identity() || !is_rigid(motion)) return false;
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+            if (!support_.points(i).empty() && support_.support(i, motion, 1.0 - 1e-9).sum() < 2.0 - 1e-9)
+                return false;
+        return types_.all_differ(PartMotion{}, motion);
+    });
+    return found == motions.end() ? std::nullopt : std::optional(*found);
 }
 
 // Whether the motion of the part is a question: it explains little, or others explain as much and give faces
@@ -180,29 +181,17 @@ void MotionFinder::exchange(std::size_t i) {
 void MotionFinder::doubt(std::size_t i) {
     constexpr double little = 1.5, hardly = 0.9, few_faces = 0.3;
     constexpr double more_effort = 0.5;  // than of a part that was only moved, which is the likeliest
-    constexpr double as_much = 0.1, same_order = 0.5;
-    constexpr std::size_t enough_for_order = 6;  // anchors: fewer come into any order by chance
+    constexpr double as_much = 0.1;
     Part& part = parts_[i];
-    if (part.certain || support_.points(i).size() < 3) return;
+    if (support_.points(i).size() < 3) return;
     const bool stays = part.best.is_identity();
     if (stays && part.searched) part.best.guessed = part.best_support.keys < few_faces;
-    if (stays && part.turned) part.best.guessed = types_.differ(i, part.best, *part.turned);
     if (!stays && part.best_support.sum() < little) part.best.guessed = true;
-    if (part.voted || (stays && (part.searched || part.best.guessed))) return;
-    if (stays) {
-        if (support_.order_kept(i, part.best) >= 1.0) return;
-        // Turned in its place, and damaged: only the order is different.
-        for (const PartMotion& motion : box_motions(stored_.parts[i].box, stored_.parts[i].box))
-            if (turns_in_place(i, motion) && support_.order_kept(i, motion) >= 1.0 &&
-                stored_.parts[i].anchors.size() >= enough_for_order)
-                part.others.push_back({motion, support_.support(i, motion, enough_anchors).sum(), 1.0});
-    }
-    const bool few = !stays && stored_.parts[i].anchors.size() < few_anchors;
-    const double best_ranks = ranks(i, part.best);
+    if (part.voted || stays) return;
+    const bool few = stored_.parts[i].anchors.size() < few_anchors;
     const Aabb& box = stored_.parts[i].box;
     const auto rival = std::find_if(part.others.begin(), part.others.end(), [&](const Rated& other) {
-        return other.sum >= part.best_support.sum() - as_much &&
-               (few || other.ranks >= best_ranks - same_order) && !same(box, other.motion, part.best) &&
+        return other.sum >= part.best_support.sum() - as_much && !same(box, other.motion, part.best) &&
                types_.differ(i, part.best, other.motion);
     });
     const bool unclear = rival != part.others.end();
@@ -215,10 +204,8 @@ void MotionFinder::doubt(std::size_t i) {
                    support_.support(i, move.motion, lost_below).corners >= lost_below;
         });
     const bool turned = effort(part.best, box.centre(), box.size().norm()) > more_effort;
-    // No wrong motion of many corners keeps the order of the vertices.
-    const bool ordered = support_.vertex_order_kept(i, part.best).value_or(0.0) >= vertices_in_order;
-    part.best.lost = !stays && part.best.guessed &&
-                     ((unclear && turned) || (!ordered && part.best_support.sum() < hardly));
+    part.best.lost =
+        part.best.guessed && ((unclear && turned) || part.best_support.sum() < hardly);
     part.best.guessed = part.best.guessed || unclear || alone;
 }
 
