@@ -102,7 +102,6 @@ MatchedOverrides FaceMatcher::run() && {
     run_stage(Stage::exact, [this](std::size_t i) { return match_location(i, slack(i)); });
     run_stage(Stage::exact, [this](std::size_t i) { return match_location(i, wide_slack(i)); });
     if (find_outlines() && lookup_.tree() != nullptr) {
-        sharpen_outlines();
         const std::vector<std::size_t> single = single_faces();
         run_stage(Stage::exact, [&](std::size_t i) {
             return std::binary_search(single.begin(), single.end(), i) && match_triangles(i);
@@ -158,6 +157,16 @@ bool FaceMatcher::find_outlines() {
                 corner = (*motion)(corner);
     }
     return wanted;
+}
+
+double FaceMatcher::rounding(std::size_t i) const {
+    const PartMotion* const motion = motion_of(i);
+    const double scale = motion == nullptr ? 1.0 : motion->linear.colwise().norm().maxCoeff();
+    return scale * parts_.outlines.rounding(i, stored_[i].key);
+}
+
+double FaceMatcher::corner_reach(std::size_t i) const {
+    return rounding(i) + 2.0 * position_tolerance(key(i).centroid);
 }
 
 const CollisionWorld* FaceLookup::tree() {

@@ -70,11 +70,9 @@ class FaceMatcher {
     double slack(std::size_t i) const;
     double wide_slack(std::size_t i) const;
     bool find_outlines();
-    void sharpen_outlines();  // sharp_outline.cpp
-    bool sharpen(std::size_t i);
-    bool is_rough(std::size_t i, FaceId face) const;
     const MeshParts& pieces();
-    double rounding(std::size_t i) const;  // of the outline's corners
+    double rounding(std::size_t i) const;      // of the outline's corners
+    double corner_reach(std::size_t i) const;  // distance from a corner up to which it is that corner
     void collect();
     void add_orphan(std::size_t i);
 
@@ -109,7 +107,6 @@ class FaceMatcher {
     struct Covers {
         std::vector<Cover> found;
         std::size_t visits = 0;
-        bool rough = false;  // rounding of the outline could move it over one of the new faces
     };
     // `any_material`: a new face may also cover old ones of other materials than its own.
     void match_covered(double least_dot, bool any_material);
@@ -148,7 +145,6 @@ class FaceMatcher {
     std::vector<std::string> bases_;               // [stored]
     std::vector<bool> twin_;  // [stored] another one was found at its place; there may be pieces of its own
     std::vector<std::vector<Vec3>> outlines_;  // [stored] after the motion; empty if it is not known
-    std::vector<bool> sharp_;                  // [stored] the outline is exact
     std::vector<bool> likely_;                 // [stored] the outline is only a likely one
     std::vector<bool> turned_over_;            // [stored] an edit turned it over in its place
     std::vector<bool> lost_;                   // [stored] not to be searched: nothing found could be trusted
@@ -158,7 +154,6 @@ class FaceMatcher {
     // Faces found exactly, each with one that the stored face could have been as well.
     std::vector<std::pair<FaceId, FaceId>> rivals_;
     std::optional<MeshParts> pieces_;  // of the mesh, found when they are needed
-    std::size_t outline_visits_ = 0;
     MatchedOverrides result_;
 };
 

@@ -64,7 +64,10 @@ Json outlines_json(const std::vector<FaceKey>& keys, const FaceOutlines& outline
     return rows_json(keys, order, [&](std::size_t i, std::string& bytes) { bytes += outlines.bytes(i); });
 }
 
-void read_outlines(const JsonNode& node, std::size_t count, FaceOutlines& outlines) {
+// "outlines" has fewer bytes per face, in an older file.
+void read_outlines(const JsonNode& parts, std::size_t count, FaceOutlines& outlines) {
+    const JsonNode old = parts["outlines"], node = old ? old : parts["corners"];
+    if (old) outlines = FaceOutlines(true);
     std::string bytes;
     node.each(max_json_values, [&](const JsonNode& row) {
         if (row.base64("outlines of faces", bytes) && !outlines.add_bytes(bytes))
@@ -98,7 +101,7 @@ UnpaintedFaces read_unpainted(const JsonNode& node) {
     for (StoredOverride& one : stored)
         faces.keys.push_back(std::move(one.key));
     const bool as_many = read_part_of_each(node["of"], stored.size(), faces.of);
-    read_outlines(node["outlines"], stored.size(), faces.outlines);
+    read_outlines(node, stored.size(), faces.outlines);
     return as_many && faces.outlines.count() == stored.size() ? faces : UnpaintedFaces();
 }
 
@@ -231,7 +234,7 @@ std::optional<PaintParts> read_paint_parts(const JsonNode& node, std::span<const
     const bool as_many = read_part_of_each(node["of"], painted.size(), parts.of);
     static_cast<void>(node["numbers"]);  // of an older file
     if (const JsonNode objects = node["objects"]) read_objects(objects, parts);
-    read_outlines(node["outlines"], painted.size(), parts.outlines);
+    read_outlines(node, painted.size(), parts.outlines);
     if (const JsonNode unpainted = node["unpainted"]) parts.unpainted = read_unpainted(unpainted);
     if (node["guessed"].base64("a bit for each painted face", bytes)) {
         parts.guessed.resize(painted.size());
@@ -259,7 +262,7 @@ Json paint_parts_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
     json_add(json, "list",
              json_array_of(parts.parts, [](const PaintPart& part) { return json_string(pack_part(part)); }));
     json_add(json, "objects", json_array_of(parts.parts, object_json));
-    json_add(json, "outlines", outlines_json(keys, parts.outlines, order));
+    json_add(json, "corners", outlines_json(keys, parts.outlines, order));
     std::string bits((order.size() + 7) / 8, '\0');
     for (std::size_t k = 0; k < order.size(); ++k)
         if (parts.guessed[order[k]]) bits[k / 8] = static_cast<char>(bits[k / 8] | 1 << k % 8);
@@ -293,7 +296,7 @@ Json tokens_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
 Json unpainted_json(const UnpaintedFaces& faces, const std::vector<std::size_t>& order, Json groups) {
     Json json = json_object({{"groups", std::move(groups)}});
     add_part_of_each(json, faces.of, order);
-    json_add(json, "outlines", outlines_json(faces.keys, faces.outlines, order));
+    json_add(json, "corners", outlines_json(faces.keys, faces.outlines, order));
     return json;
 }
 

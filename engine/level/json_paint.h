@@ -2,11 +2,10 @@
 //
 //   "parts": {"paint": hash of the painted faces, "box": of the whole mesh,
 //             "of": each painted face's part, "list": each part (pack_part()),
-//             "numbers": of the vertices at its rim, "objects": its object,
-//             "outlines": of the painted faces, "guessed": a bit for each,
+//             "objects": its object, "corners": the outlines of the painted faces, "guessed": a bit for each,
 //             "tokens": of all faces (face_tokens.h): {"objects", "rows", "painted": the number of each
 //                       painted face's token, "unpainted": of each unpainted one below},
-//             "unpainted": {"groups": faces that lie on painted ones, "of", "outlines": as above}}
+//             "unpainted": {"groups": faces that lie on painted ones, "of", "corners": as above}}
 #pragma once
 
 #include <optional>

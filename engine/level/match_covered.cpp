@@ -96,7 +96,6 @@ FaceMatcher::Covers FaceMatcher::find_covers(std::size_t i, double least_dot, bo
         const double bend = tilt * std::max(size, std::sqrt(candidate.area));
         if (off > off_plane * size + off_plane_by_tilt * bend + position_tolerance(key.centroid)) continue;
         covers.visits += mesh_.face_corner_count(face);
-        covers.rough = covers.rough || (!likely_[i] && is_rough(i, face));
         const bool flat = lies_in_plane(face, i);
         if (flat || (is_wanted(i) && !(turned_over_[i] && along < least_bent)))
             covers.found.push_back({face, i, off, 0.0, flat});
@@ -157,7 +156,6 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
             for (const Cover& cover : covers[k].found)
                 all.push_back(cover);
             lookup_.visits += covers[k].visits;
-            if (covers[k].rough) sharpen(searched[begin + k]);
         }
     }
     std::stable_sort(all.begin(), all.end(), [](const Cover& a, const Cover& b) { return a.face < b.face; });
@@ -223,7 +221,7 @@ void FaceMatcher::match_covered(double least_dot, bool any_material) {
             if (result_.overrides[face] == types_[cover.i]) given[cover.i] += cover.area;
     });
     for (const Cover& cover : all)
-        if (cover.area > 0.01 * index_.key(cover.face).area && !is_other(cover.i))
+        if (cover.area > part_of_it * index_.key(cover.face).area && !is_other(cover.i))
             refused_.push_back({cover.face, cover.i});
     std::sort(refused_.begin(), refused_.end());
     for (std::size_t i = 0; i < stored_.size(); ++i) {

@@ -150,7 +150,7 @@ bool FaceMatcher::match_corners(std::size_t i) {
                pieces().parts[pieces().of[face]].faces != parts_.parts[part - 1].faces ||
                !(index_.key(face).normal.dot(key.normal) > 0.5);
     });
-    if (faces.empty() || !sharpen(i)) return false;
+    const double reach = corner_reach(i);
     std::erase_if(faces, [&](FaceId face) {
         const std::uint32_t first = mesh_.face_first_corner[face];
         std::size_t most = 0;
@@ -158,8 +158,7 @@ bool FaceMatcher::match_corners(std::size_t i) {
             std::size_t same = 0;
             for (std::uint32_t c = 0; c < count; ++c) {
                 const Vec3 position = mesh_.corner_position(first + c).cast<double>();
-                const double distance = (position - corners[(c + turn) % count]).norm();
-                same += distance <= 2.0 * position_tolerance(key.centroid) ? 1 : 0;
+                same += (position - corners[(c + turn) % count]).norm() <= reach ? 1 : 0;
             }
             most = std::max(most, same);
         }
@@ -170,13 +169,11 @@ bool FaceMatcher::match_corners(std::size_t i) {
     return true;
 }
 
-// The vertices that are still where the old face had corners, or nearly there if it is not known exactly
-// where.
+// The vertices that are still where the old face had corners.
 std::vector<Vec3> FaceMatcher::corners_left(std::size_t i) {
     std::vector<Vec3> left;
     if (outlines_[i].empty() || likely_[i]) return left;
-    const double exact = 2.0 * position_tolerance(key(i).centroid);
-    const double reach = sharpen(i) ? exact : exact + rounding(i);
+    const double reach = corner_reach(i);
     for (const Vec3& corner : outlines_[i]) {
         const Vec3 room = Vec3::Constant(reach);
         std::optional<Vec3> nearest;

@@ -10,14 +10,6 @@ namespace {
 
 constexpr std::size_t max_corners_cut = 32;
 
-// The corner of the outline at this position, or its number of corners.
-std::size_t corner_at(const std::vector<Vec3>& outline, const Vec3& position) {
-    const double slack = 2.0 * position_tolerance(position);
-    for (std::size_t c = 0; c < outline.size(); ++c)
-        if ((outline[c] - position).norm() <= slack) return c;
-    return outline.size();
-}
-
 }  // namespace
 
 // The old faces at whose place there was no other, sorted.
@@ -39,18 +31,25 @@ std::vector<std::size_t> FaceMatcher::single_faces() const {
 // two of them, are the old face and nothing else.
 bool FaceMatcher::match_triangles(std::size_t i) {
     const std::size_t corners = outlines_[i].size();
-    if (corners < 4 || corners > max_corners_cut || !sharpen(i)) return false;
+    if (corners < 4 || corners > max_corners_cut) return false;
     const std::vector<Vec3>& outline = outlines_[i];
     Aabb box;
     for (const Vec3& corner : outline)
         box.add(corner);
+    const double reach = corner_reach(i);
+    const auto corner_at = [&](const Vec3& position) {
+        std::size_t c = 0;
+        while (c < corners && (position - outline[c]).norm() > reach)
+            ++c;
+        return c;
+    };
     std::vector<FaceId> pieces;
     std::set<std::pair<std::size_t, std::size_t>> edges;  // of the pieces, but for those between two of them
     for (const FaceId face : faces_in(i, box)) {
         if (!is_free(face)) continue;
         std::vector<std::size_t> at;
         for (std::uint32_t c = mesh_.face_first_corner[face]; c < mesh_.face_first_corner[face + 1]; ++c)
-            at.push_back(corner_at(outline, mesh_.corner_position(c).cast<double>()));
+            at.push_back(corner_at(mesh_.corner_position(c).cast<double>()));
         if (std::find(at.begin(), at.end(), corners) != at.end()) continue;
         pieces.push_back(face);
         for (std::size_t c = 0; c < at.size(); ++c) {

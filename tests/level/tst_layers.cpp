@@ -100,7 +100,7 @@ TEST(LayersInAFile, AWrongRowIsRefusedWithItsPlace) {
     const std::string json = level_to_json(level_of(faces));
     const std::size_t member = json.find("\"unpainted\": ");
     ASSERT_NE(member, std::string::npos);
-    for (const char* name : {"\"packed\": [", "\"outlines\": ["}) {
+    for (const char* name : {"\"packed\": [", "\"corners\": ["}) {
         std::string broken = json;
         const std::size_t row = broken.find('"', broken.find(name, member) + std::string(name).size());
         broken.insert(row + 1, "!");
@@ -114,7 +114,7 @@ TEST(LayersInAFile, AWrongRowIsRefusedWithItsPlace) {
 TEST(LayersInAFile, FacesWithoutOutlinesAreLeftOut) {
     const Faces faces = tile_under_another();
     std::string json = level_to_json(level_of(faces));
-    const std::size_t at = json.find("\"outlines\": [", json.find("\"unpainted\": ")) + 13;
+    const std::size_t at = json.find("\"corners\": [", json.find("\"unpainted\": ")) + 12;
     json.erase(at, json.find(']', at) - at);
     const auto loaded = level_from_json(json, "test.slipface.json", mesh_of(faces));
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
