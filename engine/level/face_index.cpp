@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "packed_faces.h"
-#include "slipface/base/hash.h"
 #include "slipface/level/material_name.h"
 
 namespace slipface {
@@ -21,52 +20,29 @@ FaceIndex::FaceIndex(const Mesh& mesh, SurfaceTable surfaces) : mesh_(mesh) {
     Vec3 extent = Vec3::Zero();
     for (const FaceKey& key : keys_)
         extent = extent.cwiseMax(key.centroid.cwiseAbs());
-    cell_size_ = 8.0 * position_tolerance(extent);
+    centroids_.emplace(faces.size(), 8.0 * position_tolerance(extent),
+                       [&](std::size_t face) { return keys_[face].centroid; });
     by_hash_.reserve(keys_.size());
-    by_cell_.reserve(keys_.size());
-    for (const FaceId face : faces) {
+    for (const FaceId face : faces)
         by_hash_.push_back({packed_hash(keys_[face].loop_hash), face});
-        by_cell_.push_back({cell_code((keys_[face].centroid / cell_size_).array().floor()), face});
-    }
     sort_by_key(by_hash_);
-    sort_by_key(by_cell_);
-}
-
-std::uint64_t FaceIndex::cell_code(const Vec3& cell) const {
-    Hasher hasher;
-    for (int axis = 0; axis < 3; ++axis)
-        hasher.f64(cell[axis]);
-    return hasher.value();
-}
-
-void FaceIndex::append(const std::vector<KeyedIndex>& entries, std::uint64_t code,
-                       std::vector<FaceId>& faces) {
-    auto entry = std::lower_bound(entries.begin(), entries.end(), code,
-                                  [](const KeyedIndex& a, std::uint64_t wanted) { return a.key < wanted; });
-    for (; entry != entries.end() && entry->key == code; ++entry)
-        faces.push_back(entry->index);
 }
 
 std::vector<FaceId> FaceIndex::with_hash(std::uint64_t loop_hash) const {
     std::vector<FaceId> faces;
-    append(by_hash_, packed_hash(loop_hash), faces);
+    const std::uint64_t wanted = packed_hash(loop_hash);
+    auto entry = std::lower_bound(by_hash_.begin(), by_hash_.end(), wanted,
+                                  [](const KeyedIndex& a, std::uint64_t hash) { return a.key < hash; });
+    for (; entry != by_hash_.end() && entry->key == wanted; ++entry)
+        faces.push_back(entry->index);
     return faces;
 }
 
 std::vector<FaceId> FaceIndex::near(const Vec3& centroid, double tolerance) const {
-    std::vector<std::uint64_t> codes;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 offset((corner & 1) != 0 ? tolerance : -tolerance,
-                          (corner & 2) != 0 ? tolerance : -tolerance,
-                          (corner & 4) != 0 ? tolerance : -tolerance);
-        codes.push_back(cell_code(((centroid + offset) / cell_size_).array().floor()));
-    }
-    std::sort(codes.begin(), codes.end());
-    codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
     std::vector<FaceId> faces;
-    for (const std::uint64_t code : codes)
-        append(by_cell_, code, faces);
-    std::erase_if(faces, [&](FaceId face) { return (keys_[face].centroid - centroid).norm() > tolerance; });
+    centroids_->near(centroid, tolerance, [&](FaceId face) {
+        if ((keys_[face].centroid - centroid).norm() <= tolerance) faces.push_back(face);
+    });
     std::sort(faces.begin(), faces.end());
     return faces;
 }

@@ -1,9 +1,11 @@
 // An index of a mesh's faces by the members of a stored FaceKey.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "face_match.h"
+#include "point_grid.h"
 #include "slipface/base/key_sort.h"
 
 namespace slipface {
@@ -32,16 +34,11 @@ class FaceIndex {
     bool is_sliver(FaceId face, double tolerance) const;
 
   private:
-    std::uint64_t cell_code(const Vec3& cell) const;
-    static void append(const std::vector<KeyedIndex>& entries, std::uint64_t code,
-                       std::vector<FaceId>& faces);
-
     const Mesh& mesh_;
     std::vector<FaceKey> keys_;
     std::vector<std::string> material_base_;
-    double cell_size_ = 1.0;
     std::vector<KeyedIndex> by_hash_;
-    std::vector<KeyedIndex> by_cell_;
+    std::optional<PointGrid> centroids_;
 };
 
 }  // namespace slipface

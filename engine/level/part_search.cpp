@@ -275,7 +275,7 @@ bool MotionFinder::near_vertices(std::size_t i, const PartMotion& rough, std::ve
         static_cast<std::size_t>((1.0 - enough_anchors) * static_cast<double>(points.size()));
     std::size_t misses = 0;
     for (const Vec3& point : points) {
-        const std::uint32_t vertex = support_.grid().nearest(rough(point), support_.grid().widest());
+        const std::uint32_t vertex = support_.nearest(rough(point), support_.widest());
         if (vertex == no_id) {
             if (++misses > allowed) return false;
             continue;

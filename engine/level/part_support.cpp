@@ -12,6 +12,13 @@ namespace {
 
 constexpr std::size_t max_sampled_keys = 48;  // of a part
 
+double cell_size(const Mesh& mesh) {
+    const Aabb& box = mesh.bounds;
+    if (box.empty()) return 1.0;
+    return std::max(16.0 * position_tolerance(box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs())),
+                    2e-4 * box.size().norm());
+}
+
 // Without material and hash.
 FaceKey anchor_key(const AnchorFace& anchor) {
     FaceKey key;
@@ -35,7 +42,8 @@ PartSupport::PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable 
       index_(index),
       surfaces_(surfaces),
       stored_(parts),
-      grid_(mesh),
+      grid_(mesh.positions.size(), cell_size(mesh),
+            [&](std::size_t i) -> Vec3 { return mesh.positions[i].cast<double>(); }),
       names_(mesh, parts),
       samples_(parts.parts.size()) {
     const auto before = [](const Vec3& a, const Vec3& b) {
@@ -70,15 +78,30 @@ double PartSupport::tolerance(const PartMotion& motion, const Vec3& from, const 
                     grid_.widest());
 }
 
+std::uint32_t PartSupport::nearest(const Vec3& position, double tolerance) const {
+    std::uint32_t best = no_id;
+    double best_distance = tolerance;
+    grid_.near(position, tolerance, [&](std::uint32_t vertex) {
+        const double distance = (mesh_.positions[vertex].cast<double>() - position).norm();
+        if (distance > best_distance || (distance == best_distance && best != no_id)) return;
+        best = vertex;
+        best_distance = distance;
+    });
+    return best;
+}
+
+std::uint32_t PartSupport::vertex_at(const Vec3& point, const PartMotion& motion) const {
+    const Vec3 to = motion(point);
+    return nearest(to, tolerance(motion, point, to));
+}
+
 // The fraction of the part's anchor corners that are vertices after the motion; 0 as soon as it must be
 // below `least`.
 double PartSupport::corners_hit(const Sample& sample, const PartMotion& motion, double least) const {
     const auto allowed = static_cast<std::size_t>((1.0 - least) * static_cast<double>(sample.points.size()));
     std::size_t misses = 0;
-    for (const Vec3& point : sample.points) {
-        const Vec3 to = motion(point);
-        if (grid_.nearest(to, tolerance(motion, point, to)) == no_id && ++misses > allowed) return 0.0;
-    }
+    for (const Vec3& point : sample.points)
+        if (vertex_at(point, motion) == no_id && ++misses > allowed) return 0.0;
     return sample.points.empty()
                ? 0.0
                : 1.0 - static_cast<double>(misses) / static_cast<double>(sample.points.size());
@@ -87,10 +110,9 @@ double PartSupport::corners_hit(const Sample& sample, const PartMotion& motion, 
 double PartSupport::rest(std::size_t part, const PartMotion& motion) const {
     std::optional<double> most;
     for (const Vec3& point : samples_[part].points) {
-        const Vec3 to = motion(point);
-        const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, point, to));
+        const std::uint32_t vertex = vertex_at(point, motion);
         if (vertex == no_id) continue;
-        most = std::max(most.value_or(0.0), (mesh_.positions[vertex].cast<double>() - to).norm());
+        most = std::max(most.value_or(0.0), (mesh_.positions[vertex].cast<double>() - motion(point)).norm());
     }
     return most.value_or(PartMotion{}.rest);
 }
@@ -164,8 +186,7 @@ bool PartSupport::is_taken(std::size_t i, const PartMotion& motion) {
     all();
     std::size_t hits = 0, taken = 0;
     for (const Vec3& point : samples_[i].points) {
-        const Vec3 to = motion(point);
-        const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, point, to));
+        const std::uint32_t vertex = vertex_at(point, motion);
         if (vertex == no_id || vertex_part_[vertex] == no_id) continue;
         ++hits;
         const std::uint32_t there = vertex_part_[vertex], owner = owner_[there];
@@ -190,8 +211,7 @@ std::vector<std::uint32_t> PartSupport::parts_at(std::size_t i, const PartMotion
     all();
     std::vector<std::uint32_t> parts;
     for (const Vec3& point : samples_[i].points) {
-        const Vec3 to = motion(point);
-        const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, point, to));
+        const std::uint32_t vertex = vertex_at(point, motion);
         if (vertex != no_id && vertex_part_[vertex] != no_id) parts.push_back(vertex_part_[vertex]);
     }
     return parts;
@@ -237,8 +257,8 @@ bool PartSupport::stays_inside(std::size_t i, const PartMotion& motion) const {
     const Aabb& box = stored_.parts[i].box;
     const Vec3 slack = Vec3::Constant(1e-3 * box.size().norm());
     return std::all_of(samples_[i].points.begin(), samples_[i].points.end(), [&](const Vec3& point) {
+        if (vertex_at(point, motion) == no_id) return true;
         const Vec3 to = motion(point);
-        if (grid_.nearest(to, tolerance(motion, point, to)) == no_id) return true;
         return ((to - box.min + slack).array() >= 0.0).all() && ((box.max - to + slack).array() >= 0.0).all();
     });
 }
@@ -260,8 +280,7 @@ bool PartSupport::becomes_box(std::size_t i, const PartMotion& motion, double sl
     std::uint32_t part = no_id;
     for (const Vec3& point : samples_[i].points) {
         if (part != no_id) break;
-        const Vec3 to = motion(point);
-        const std::uint32_t vertex = grid_.nearest(to, tolerance(motion, point, to));
+        const std::uint32_t vertex = vertex_at(point, motion);
         if (vertex != no_id) part = vertex_part_[vertex];
     }
     if (part == no_id) return false;

@@ -8,7 +8,7 @@
 
 #include "face_index.h"
 #include "mesh_parts.h"
-#include "vertex_grid.h"
+#include "point_grid.h"
 
 namespace slipface {
 
@@ -31,7 +31,9 @@ class PartSupport {
     PartSupport(const Mesh& mesh, const FaceIndex& index, SurfaceTable surfaces, const PaintParts& parts,
                 const std::vector<StoredOverride>& stored);
 
-    const VertexGrid& grid() const { return grid_; }
+    // The nearest vertex within `tolerance`, at most widest(); no_id: none.
+    std::uint32_t nearest(const Vec3& position, double tolerance) const;
+    double widest() const { return grid_.widest(); }
 
     // The parts of the mesh, found when they are first needed.
     const MeshParts& all();
@@ -105,6 +107,7 @@ class PartSupport {
     enum class Side { none, same, other, both };
 
     double tolerance(const PartMotion& motion, const Vec3& from, const Vec3& to) const;
+    std::uint32_t vertex_at(const Vec3& point, const PartMotion& motion) const;  // after it; or no_id
     double corners_hit(const Sample& sample, const PartMotion& motion, double least) const;
     Side find_face(const FaceKey& key, const PartMotion& motion, bool& same_material) const;
 
@@ -112,7 +115,7 @@ class PartSupport {
     const FaceIndex& index_;
     SurfaceTable surfaces_;
     const PaintParts& stored_;
-    VertexGrid grid_;
+    PointGrid grid_;  // of the vertices
     const ObjectNames names_;
     std::vector<Sample> samples_;  // [part]
     std::optional<MeshParts> all_;

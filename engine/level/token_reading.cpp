@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "face_match.h"
+#include "point_grid.h"
 #include "sequence_diff.h"
 #include "slipface/base/key_sort.h"
 
@@ -15,7 +16,9 @@ constexpr double enough_as_triangles = 0.9;
 // In the face's size: how far the mean of its corners is from the middle of its area.
 constexpr double off_centre = 0.3;
 constexpr double unlikely_bits = 6.0;         // what is as likely as a chance of one in 64 is none
-constexpr std::size_t max_at_one_place = 16;  // faces compared there
+constexpr std::size_t max_at_one_place = 64;  // faces compared there
+// In steps between the positions of old faces; more than twice as wide as the new ones may be away.
+constexpr double cell_of_places = 2.0;
 
 // Whether one face may be the other after an edit that it was part of.
 bool may_be(const FaceToken& a, const FaceToken& b) {
@@ -210,53 +213,28 @@ Reading read_by_order(const ObjectEdit& edit) {
 }
 
 Reading read_by_place(const ObjectEdit& edit) {
-    // Faces are found by their place in units of `step`; near the middle between two units both are tried.
-    const auto code_of = [](const Vec3& cell) {
-        std::uint64_t code = 0;
-        for (int axis = 0; axis < 3; ++axis)
-            code = code << 21 | static_cast<std::uint64_t>(std::clamp(cell[axis] + 1.0, 0.0, 2e6));
-        return code;
+    const Vec3 step = edit.box.step.cast<double>();
+    const auto scaled = [&](const FaceToken& face) -> Vec3 {
+        return face.position.cast<double>().cwiseQuotient(step);
     };
-    const Vec3 low = edit.box.box.min, step = edit.box.step.cast<double>();
-    std::vector<KeyedIndex> places(edit.old.size());
-    for (std::uint32_t a = 0; a < edit.old.size(); ++a) {
-        const Vec3 at = (edit.old[a].position.cast<double>() - low).cwiseQuotient(step);
-        places[a] = {code_of(at.array().round()), a};
-    }
-    sort_by_key(places);
+    const PointGrid places(edit.old.size(), cell_of_places, [&](std::size_t a) { return scaled(edit.old[a]); });
     Reading reading;
     reading.before.assign(edit.now.size(), no_id);
     std::vector<bool> taken(edit.old.size(), false);
     std::uint32_t last = no_id;
     for (std::uint32_t b = 0; b < edit.now.size(); ++b) {
-        const Vec3 position = edit.now[b].position.cast<double>(), at = (position - low).cwiseQuotient(step);
-        const Vec3 slack = Vec3::Constant(slack_of(edit.now[b].position)).cwiseQuotient(step);
-        const Vec3 first = (at - slack).array().round(), end = (at + slack).array().round();
         std::uint32_t best = no_id;
         int best_rank = -1;
-        for (int corner = 0; corner < 8; ++corner) {
-            Vec3 cell = first;
-            bool repeated = false;
-            for (int axis = 0; axis < 3; ++axis) {
-                if ((corner >> axis & 1) == 0) continue;
-                cell[axis] = end[axis];
-                repeated = repeated || end[axis] == first[axis];
-            }
-            if (repeated) continue;
-            const std::uint64_t code = code_of(cell);
-            auto place =
-                std::lower_bound(places.begin(), places.end(), code,
-                                 [](const KeyedIndex& one, std::uint64_t key) { return one.key < key; });
-            for (std::size_t tried = 0;
-                 place != places.end() && place->key == code && tried < max_at_one_place; ++place, ++tried) {
-                const std::uint32_t a = place->index;
-                if (taken[a] || !edit.old[a].shaped_as(edit.now[b]) || !edit.in_place(a, b)) continue;
-                const int rank = 2 * int{edit.old[a].joined_as(edit.now[b])} + int{a == last + 1};
-                if (rank <= best_rank) continue;
-                best = a;
-                best_rank = rank;
-            }
-        }
+        std::size_t tried = 0;
+        places.near(scaled(edit.now[b]), 0.5 * cell_of_places, [&](std::uint32_t a) {
+            if (taken[a] || ++tried > max_at_one_place || !edit.old[a].shaped_as(edit.now[b]) ||
+                !edit.in_place(a, b))
+                return;
+            const int rank = 2 * int{edit.old[a].joined_as(edit.now[b])} + int{a == last + 1};
+            if (rank <= best_rank) return;
+            best = a;
+            best_rank = rank;
+        });
         if (best == no_id) continue;
         taken[best] = true;
         reading.before[b] = last = best;
