@@ -33,7 +33,12 @@ struct ObjectPair {
     Aabb went_to = {};                      // the box of its faces in the new geometry
     std::vector<std::uint32_t> rival = {};  // as Correspondence, of the object; or empty
     bool by_place_too = false;              // the places explain all, but differently
+    std::vector<bool> open = {};            // as Correspondence, of the object
 };
+
+bool nearly_all(std::size_t faces, std::size_t of) {
+    return static_cast<double>(faces) >= level_in_order * static_cast<double>(of);
+}
 
 std::uint64_t joints(const MeshTokens& tokens, const TokenObject& object) {
     Hasher hasher;
@@ -66,6 +71,7 @@ class Comparison {
         result.before.assign(now_.faces.size(), no_id);
         result.rival.assign(now_.faces.size(), no_id);
         result.moved.assign(now_.faces.size(), false);
+        result.open.assign(now_.faces.size(), false);
         const bool in_order = level_is_in_order();
         for (const ObjectPair& pair : pairs_)
             if (!pair.by_place_too || in_order) add(pair, result);
@@ -107,16 +113,26 @@ class Comparison {
         Reading& order = pair.order;
         for (const FaceToken& face : edit.now)
             pair.went_to.add(face.position.cast<double>());
-        if (order.matched == 0 || order.in_place == order.matched) return;
-        const Reading place = read_by_place(edit);
-        const bool stayed = !order.whole && place.in_place >= order.matched;
+        const std::size_t fewer = std::min(edit.old.size(), edit.now.size());
+        const bool all_stay = order.in_place == order.matched && order.matched == fewer;
+        const Reading place = all_stay ? order : read_by_place(edit);
+        if (!order.whole && !all_stay) {
+            Reading kept = in_order(edit, place);
+            if (kept.score > order.score && nearly_all(kept.matched, fewer)) order = std::move(kept);
+        }
         const bool too_small = !pair.named && edit.old.size() < enough_faces;
-        if (place.score > order.score || stayed || too_small) {
+        // A tool sorted the faces, or they are in that order by chance.
+        const bool sorted =
+            !nearly_all(order.score, place.score) ||
+            (!order.whole && !nearly_all(order.matched, edit.now.size()) && place.in_place >= order.matched);
+        if (order.in_place < order.matched && (too_small || sorted)) {
             order.before.assign(edit.now.size(), no_id);
             order.matched = 0;
             return;
         }
-        pair.rival = slid(edit, order.before);
+        pair.open.resize(edit.now.size(), false);
+        pair.rival = slid(edit, order.before, pair.open);
+        if (order.in_place == order.matched) return;
         prefer_places(edit, pair);
         const auto least = rival_score * static_cast<double>(order.score);
         if (place.replaced <= order.replaced && static_cast<double>(place.score) >= least)
@@ -201,47 +217,63 @@ class Comparison {
     }
 
     // Two equal objects at each other's places, in the order of the places: their names were exchanged, or
-    // they were, and their order, too.
+    // they were, and their order, too. And several of which each is where the next one was: they have moved,
+    // or one was deleted and the others got the names before theirs.
     void doubt_exchanged_names() {
-        std::map<std::uint64_t, std::vector<std::size_t>> equal;  // [joints] the pairs
-        for (std::size_t i = 0; i < pairs_.size(); ++i)
+        std::map<std::uint64_t, std::vector<std::size_t>> equal;       // [joints] the pairs
+        std::map<std::uint64_t, std::vector<std::uint32_t>> by_place;  // [joints] old objects
+        std::vector<std::uint32_t> now_of(old_.objects.size(), no_id);
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            now_of[pairs_[i].old] = pairs_[i].now;
             if (pairs_[i].named && pairs_[i].order.whole) equal[joints_[pairs_[i].old]].push_back(i);
-        for (auto& [key, list] : equal) {
+        }
+        for (std::uint32_t old = 0; old < old_.objects.size(); ++old)
+            by_place[joints_[old]].push_back(old);
+        for (auto& [key, list] : by_place)
             std::sort(list.begin(), list.end(),
-                      [&](std::size_t a, std::size_t b) { return old_box(a).min.x() < old_box(b).min.x(); });
+                      [&](std::uint32_t a, std::uint32_t b) { return low(a) < low(b); });
+        for (const auto& [key, list] : equal) {
+            std::vector<std::uint32_t> at;  // [of list] the old object whose place it has; no_id: none
+            std::size_t moved = 0;
+            bool ascending = true;  // `list` is in the order of the new objects
+            std::uint32_t next = 0;
             for (const std::size_t i : list) {
-                ObjectPair& pair = pairs_[i];
-                if (pair.order.in_place == pair.order.matched) continue;
-                const double low = pair.went_to.min.x() - slack(i);
-                auto other = std::lower_bound(list.begin(), list.end(), low, [&](std::size_t one, double x) {
-                    return old_box(one).min.x() < x;
-                });
-                std::size_t tried = 0;
-                for (; other != list.end() && old_box(*other).min.x() <= low + 2.0 * slack(i) &&
-                       tried < max_side_by_side;
-                     ++other, ++tried) {
-                    const ObjectPair& there = pairs_[*other];
-                    if ((pair.old < there.old) == (pair.now < there.now) || !stood_there(*other, i)) continue;
-                    const std::uint32_t from = old_.objects[pair.old].first,
-                                        to = old_.objects[there.old].first;
-                    if (pair.rival.empty()) pair.rival = pair.order.before;
-                    for (std::uint32_t& before : pair.rival)
-                        if (before != no_id) before = before + to - from;  // indices into the object, below
-                    break;
-                }
+                at.push_back(stood_at(pairs_[i], by_place[key]));
+                if (at.back() == no_id) continue;
+                ascending = ascending && at.back() >= next;
+                next = at.back() + 1;
+                moved += at.back() != pairs_[i].old ? 1 : 0;
+            }
+            for (std::size_t k = 0; k < list.size(); ++k) {
+                ObjectPair& pair = pairs_[list[k]];
+                if (at[k] == no_id || at[k] == pair.old) continue;
+                const bool exchanged =
+                    now_of[at[k]] != no_id && (pair.old < at[k]) != (pair.now < now_of[at[k]]);
+                if (!exchanged && !(ascending && moved > 1)) continue;
+                const std::uint32_t from = old_.objects[pair.old].first, to = old_.objects[at[k]].first;
+                if (pair.rival.empty()) pair.rival = pair.order.before;
+                for (std::uint32_t& before : pair.rival)
+                    if (before != no_id) before = before + to - from;  // indices into the object, below
             }
         }
     }
 
-    const Aabb& old_box(std::size_t pair) const { return old_.objects[pairs_[pair].old].box; }
-    double slack(std::size_t pair) const {
-        return 2.0 * static_cast<double>(old_.objects[pairs_[pair].old].step.norm());
+    // The old object that was where that of the pair is now; no_id: none. `by_place`: in the order of low().
+    std::uint32_t stood_at(const ObjectPair& pair, const std::vector<std::uint32_t>& by_place) const {
+        const double slack = 2.0 * static_cast<double>(old_.objects[pair.old].step.norm());
+        const Aabb& is = pair.went_to;
+        auto other = std::lower_bound(by_place.begin(), by_place.end(), is.min.x() - slack,
+                                      [&](std::uint32_t one, double x) { return low(one) < x; });
+        for (std::size_t tried = 0;
+             other != by_place.end() && tried < max_side_by_side && low(*other) <= is.min.x() + slack;
+             ++other, ++tried) {
+            const Aabb& was = old_.objects[*other].box;
+            if ((was.min - is.min).norm() <= slack && (was.max - is.max).norm() <= slack) return *other;
+        }
+        return no_id;
     }
-    // Whether the old object of `other` was where that of `pair` is now.
-    bool stood_there(std::size_t other, std::size_t pair) const {
-        const Aabb &was = old_box(other), &is = pairs_[pair].went_to;
-        return (was.min - is.min).norm() <= slack(pair) && (was.max - is.max).norm() <= slack(pair);
-    }
+
+    double low(std::uint32_t old) const { return old_.objects[old].box.min.x(); }
 
     bool level_is_in_order() const {
         std::size_t faces = 0, in_order = 0;
@@ -249,7 +281,7 @@ class Comparison {
             faces += now_.objects[pair.now].count;
             in_order += pair.order.matched;
         }
-        return static_cast<double>(in_order) >= level_in_order * static_cast<double>(faces);
+        return nearly_all(in_order, faces);
     }
 
     void add(const ObjectPair& pair, Correspondence& result) const {
@@ -257,11 +289,12 @@ class Comparison {
         const ObjectEdit edit = edit_of(pair);
         for (std::uint32_t b = 0; b < pair.order.before.size(); ++b) {
             const std::uint32_t before = pair.order.before[b];
+            const std::uint32_t rival = pair.rival.empty() ? before : pair.rival[b];
+            result.rival[first + b] = rival == no_id ? no_id : old + rival;
+            result.open[first + b] = b < pair.open.size() && pair.open[b];
             if (before == no_id) continue;
             result.before[first + b] = old + before;
             result.moved[first + b] = !edit.in_place(before, b);
-            const std::uint32_t rival = pair.rival.empty() ? before : pair.rival[b];
-            result.rival[first + b] = rival == no_id ? no_id : old + rival;
         }
     }
 

@@ -11,6 +11,7 @@ struct Correspondence {
     // [token of the new geometry] what became it in a second reading that is as possible as the first; no_id:
     // none. Equal to `before` where both agree. A face whose two old ones have different types is a question.
     std::vector<std::uint32_t> rival;
+    std::vector<bool> open;   // [token of the new geometry] an edit may have added it: it is a question
     std::vector<bool> moved;  // [token of the new geometry] it is not where the old one was
 };
 

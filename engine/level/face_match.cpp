@@ -25,6 +25,20 @@ PaintParts with_unpainted(const PaintParts& parts, std::vector<StoredOverride>& 
     return all;
 }
 
+// The faces of these objects (object_name()) that are in their places are searched for.
+void forget_stayed(const Mesh& mesh, const std::set<std::uint32_t>& objects, FollowedFaces& followed) {
+    std::vector<bool> unclear;  // [group]
+    for (const std::string& group : mesh.groups)
+        unclear.push_back(objects.contains(object_name(group)));
+    for (FaceId face = 0; face < followed.face.size(); ++face) {
+        if (!followed.face[face] || followed.moved[face] || !unclear[mesh.face_group[face]]) continue;
+        followed.face[face] = false;
+        followed.types[face].reset();
+        if (followed.of[face] != no_id) followed.painted[followed.of[face]] = false;
+    }
+    std::erase_if(followed.guessed, [&](FaceId face) { return !followed.face[face]; });
+}
+
 MatchedOverrides found_without_search(const FollowedFaces& followed) {
     MatchedOverrides result;
     result.overrides = followed.types;
@@ -86,7 +100,7 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
         result.overrides.resize(mesh.face_count());
         return result;
     }
-    const FollowedReadings followed = follow_faces(mesh, surfaces, stored, parts);
+    FollowedReadings followed = follow_faces(mesh, surfaces, stored, parts);
     const auto all_followed = [&](const FollowedFaces& faces) { return faces.are_all(parts.of.size()); };
     std::optional<FaceLookup> lookup;
     PartMotions motions;
@@ -97,6 +111,8 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
     if (!all_known || stored.size() != parts.of.size()) lookup.emplace(mesh, surfaces);
     if (!all_known && !parts.parts.empty()) {
         motions = find_motions(*lookup, surfaces, parts, stored);
+        forget_stayed(mesh, motions.unclear_objects, followed.first);
+        if (followed.second) forget_stayed(mesh, motions.unclear_objects, *followed.second);
         with_unpainted_faces = stored;
         if (!parts.unpainted.keys.empty()) parts_of_all = with_unpainted(parts, with_unpainted_faces);
     }

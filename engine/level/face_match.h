@@ -52,10 +52,7 @@ struct MatchedOverrides {
 //    faces with the same corners. A face is a guess if another one, of another type, fits as well.
 // 2. by plane: a new face has the type of the old faces of its material that cover more than half of it, seen
 //    along its normal; they lie in its plane, or nearly if it is tilted. If there is no such type, old faces
-//    of other materials count as well, where some of its material are among them. For old faces without an
-//    outline, before that: faces in the same plane that are parts of the old face (smaller, near its centre,
-//    together not larger); or connected faces that together have the old area and the old mean of corners.
-//    Parts of a bent face lie near its plane instead of in it; together they have its vector of area.
+//    of other materials count as well, where some of its material are among them.
 // 3. nearest: the face of the same material with the nearest centroid, at most the old face's size away. Its
 //    normal differs by less than 26 degrees, its area by less than a factor of 4, and the line through the
 //    old centre along the old normal hits it (or the face only moved along that normal). Before stage 2: a

@@ -48,8 +48,7 @@ void FaceOutlines::add(const Mesh& mesh, FaceId face, const FaceKey& key) {
     int extent = 0;
     std::frexp(largest, &extent);
     const std::size_t count = offsets.size();
-    if (!(key.area > 0.0) || count < 3 || count > max_corners || extent < min_extent ||
-        extent > max_extent) {
+    if (!(key.area > 0.0) || count < 3 || count > max_corners || extent < min_extent || extent > max_extent) {
         bytes_.push_back(0);
         return;
     }

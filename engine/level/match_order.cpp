@@ -32,6 +32,7 @@ FollowedReadings follow_faces(const Mesh& mesh, SurfaceTable surfaces, std::span
         followed.face.resize(mesh.face_count(), false);
         followed.moved.resize(mesh.face_count(), false);
         followed.types.resize(mesh.face_count());
+        followed.of.resize(mesh.face_count(), no_id);
         followed.painted.resize(painted, false);
         std::vector<bool> found(parts.tokens.faces.size(), false);  // [old token]
         for (std::uint32_t token = 0; token < now.faces.size(); ++token) {
@@ -44,8 +45,9 @@ FollowedReadings follow_faces(const Mesh& mesh, SurfaceTable surfaces, std::span
             followed.moved[face] = known.moved[token];
             followed.types[face] = type_at(before);
             if (i == no_id) continue;
+            followed.of[face] = i;
             followed.painted[i] = true;
-            if ((i < parts.guessed.size() && parts.guessed[i]) ||
+            if ((i < parts.guessed.size() && parts.guessed[i]) || known.open[token] ||
                 followed.types[face] != type_at(rivals[token]))
                 followed.guessed.push_back(face);
         }

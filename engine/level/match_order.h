@@ -14,6 +14,7 @@ struct FollowedFaces {
     std::vector<bool> moved;                      // [face] of these: from another place
     std::vector<std::optional<SurfaceId>> types;  // [face] of these; nothing: it was not painted
     std::vector<FaceId> guessed;                  // ascending; another type is as possible
+    std::vector<std::uint32_t> of;                // [face] the painted one that it was; or no_id
     std::vector<bool> painted;                    // [painted face] found
     std::vector<bool> unpainted;                  // [PaintParts::unpainted] found
 

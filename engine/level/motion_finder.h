@@ -17,7 +17,7 @@ inline constexpr std::size_t max_guesses = 500'000;  // motions examined, of all
 inline constexpr double enough_anchors = 0.7;        // of the anchor corners, that a motion must explain
 inline constexpr double lost_below = 0.3;            // of the anchor corners
 inline constexpr double in_place = 0.85;             // fraction of anchor corners of a part that stayed
-inline constexpr std::size_t few_anchors = 8;        // faces that look like others by chance
+inline constexpr double as_much = 0.1;               // less is explained nearly as much
 inline constexpr std::size_t few_parts = 3;          // of which too little is known to be sure
 inline constexpr double vote_slack = 0.3;            // by which parts yield to the motion of other parts
 
@@ -29,9 +29,11 @@ class MotionFinder {
     PartMotions run() &&;
 
   private:
-    struct Rated {
-        PartMotion motion;
-        double sum = 0.0;  // of its support
+    // Of a part.
+    struct Reading {
+        std::size_t move;
+        PartMotion exact;  // that move, as it is for this part
+        MotionSupport support;
     };
     struct Part {
         PartMotion best;
@@ -39,14 +41,15 @@ class MotionFinder {
         MotionSupport best_support, staying;
         double best_rating = 0.0;
         bool searched = false;
-        bool voted = false;         // other parts made the same motion
-        std::vector<Rated> others;  // motions that were considered
+        bool unclear = false;           // PartMotions::unclear_objects
+        std::size_t shared = 0;         // other parts that the same motion explains
+        std::vector<Reading> readings;  // all that are possible
     };
 
     struct Move {
         PartMotion motion;
-        std::size_t parts = 0;  // that made it
-        bool of_all = false;    // all others could have made it, too
+        std::size_t parts = 0;  // that it explains
+        std::size_t only = 0;   // of these: parts that nothing else explains
     };
 
     // part_search.cpp: each part by itself
@@ -64,24 +67,15 @@ class MotionFinder {
     std::optional<PartMotion> refitted(std::size_t part, const PartMotion& rough) const;
     static bool same(const Aabb& box, const PartMotion& a, const PartMotion& b);  // for what lies in the box
 
-    // part_vote.cpp: the parts together
-    void vote();
-    void exchange(std::size_t part);
-    std::optional<PartMotion> motion_of_symmetric_level();
+    // part_choice.cpp: the parts together
+    void choose();
+    void choose(std::size_t part);
+    void find_readings(std::size_t part);
+    void add_shared_readings(std::size_t part);
+    void one_part_each_place();
     void doubt(std::size_t part);
     bool is_unexplained(std::size_t part);
     bool lies_as_before(std::size_t part);
-
-    // part_follow.cpp: what the others did
-    static bool is_explained(const Part& part) {
-        return !part.best.is_identity() || part.staying.corners >= 0.5;
-    }
-    void collect_moves();
-    bool is_of_all(const PartMotion& motion);
-    std::size_t parts_with_motion(std::size_t part) const;
-    void yield_to_most(std::size_t part);
-    void follow_level();
-    void one_part_each_place();
     bool is_claimed(std::size_t part, const PartMotion& motion) const;
 
     FaceLookup& lookup_;
@@ -96,7 +90,7 @@ class MotionFinder {
     std::vector<Part> parts_;
     std::vector<std::size_t> painted_;    // [part] its painted faces
     std::vector<PartMotion> known_;       // the parts' best, to be tried with the next parts
-    std::vector<Move> moves_;             // the different motions of the parts that moved
+    std::vector<Move> moves_;             // all that a part may have made; the first one: it stayed
     std::vector<Aabb> places_;            // [part] of the parts that moved: where; else empty
     std::vector<PartMotion> candidates_;  // all that nearly explain as much
     std::size_t candidates_part_ = 0, candidates_of_part_ = 0, votes_ = 0;

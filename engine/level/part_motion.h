@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -81,6 +82,9 @@ struct PartMotion {
 struct PartMotions {
     std::vector<PartMotion> first;   // [part]
     std::vector<PartMotion> second;  // of another reading that explains the mesh as well; none: there is none
+    // object_name() of those in which a part seems to have stayed, in its order, though a motion that another
+    // part must have made puts it onto itself: its order proves nothing.
+    std::set<std::uint32_t> unclear_objects;
 };
 
 // [part] the motion that puts the most anchors and painted faces (`stored`) onto the mesh's. A part stays

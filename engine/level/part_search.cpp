@@ -54,29 +54,16 @@ PartMotions MotionFinder::run() && {
         if (2 * gone > painted && support_.points(part).empty()) support_.set_gone(part);
     for (std::size_t part = 0; part < parts_.size(); ++part)
         find(part);
-    vote();
-    collect_moves();
-    for (Move& move : moves_)
-        move.of_all = move.parts > few_parts && !move.motion.is_identity() && is_of_all(move.motion);
-    for (std::size_t part = 0; part < parts_.size(); ++part) {
-        exchange(part);
-        yield_to_most(part);
-    }
-    collect_moves();
-    follow_level();
-    collect_moves();
+    choose();
     one_part_each_place();
-    const std::optional<PartMotion> symmetric = motion_of_symmetric_level();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         doubt(part);
         PartMotion& best = parts_[part].best;
-        best.guessed = best.guessed || symmetric;
-        if (symmetric) parts_[part].rival = symmetric;
         best.rest = support_.rest(part, best);
         if (!best.is_identity() && support_.is_another_object(part, best)) {
             best = PartMotion{.guessed = true};
             parts_[part].best_support = parts_[part].staying;
-            parts_[part].voted = false;
+            parts_[part].rival.reset();
         }
         if (is_unexplained(part)) (lies_as_before(part) ? best.guessed : best.lost) = true;
     }
@@ -84,6 +71,8 @@ PartMotions MotionFinder::run() && {
     PartMotions motions;
     for (const Part& part : parts_)
         motions.first.push_back(part.best);
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        if (parts_[i].unclear) motions.unclear_objects.insert(stored_.parts[i].object);
     const auto is_asked = [](const Part& part) { return part.best.guessed && !part.best.lost && part.rival; };
     for (std::size_t i = 0; i < parts_.size() && std::ranges::any_of(parts_, is_asked); ++i) {
         motions.second.push_back(parts_[i].best);
@@ -146,8 +135,6 @@ void MotionFinder::consider(std::size_t i, const PartMotion& motion) {
     if (!whole && part.staying.corners >= 0.5 && support_.stays_inside(i, motion)) return;
     if (support_.is_taken(i, motion)) return;
     add_candidate(i, motion);
-    constexpr std::size_t max_others = 32;
-    if (part.others.size() < max_others) part.others.push_back({motion, found.sum()});
     const PaintPart& old = stored_.parts[i];
     const double cost = effort(motion, old.box.centre(), old.box.size().norm());
     // Deleted faces make one of a symmetric part's motions fit a little better by chance, so the effort
@@ -199,9 +186,7 @@ void MotionFinder::try_corners(std::size_t i) {
     std::vector<Three> threes;
     for (const AnchorFace& face : stored_.parts[i].anchors) {
         for (std::size_t c = 0; c < face.size(); ++c) {
-            const auto at = [&](std::size_t k) {
-                return face[(c + k) % face.size()].cast<double>().eval();
-            };
+            const auto at = [&](std::size_t k) { return face[(c + k) % face.size()].cast<double>().eval(); };
             const ThreeCorners corners{at(0), at(1), at(2)};
             if (const std::size_t places = similar_.count(corners); places > 0)
                 threes.push_back({corners, places});

@@ -177,11 +177,6 @@ const MeshParts& PartSupport::all() {
     return *all_;
 }
 
-bool PartSupport::is_occupied(std::uint32_t part_of_mesh) {
-    all();
-    return owner_[part_of_mesh] != no_id && !samples_[owner_[part_of_mesh]].gone;
-}
-
 bool PartSupport::is_taken(std::size_t i, const PartMotion& motion) {
     all();
     std::size_t hits = 0, taken = 0;

@@ -50,11 +50,6 @@ class PartSupport {
     // PartMotion::rest of this motion.
     double rest(std::size_t part, const PartMotion& motion) const;
 
-    // True if `from` is where the motion puts it at `to`, up to rounding.
-    bool hits(const PartMotion& motion, const Vec3& from, const Vec3& to) const {
-        return (motion(from) - to).norm() <= tolerance(motion, from, to);
-    }
-
     // Which way most of the area of the painted faces and of those at the rim looks, if they are there.
     enum class Looks { as_before, back, both };  // `both`: every face has one at its back
     Looks looks(std::size_t part, const PartMotion& motion) const;
@@ -64,9 +59,6 @@ class PartSupport {
 
     // The mesh's parts at the part's points after the motion, of each point.
     std::vector<std::uint32_t> parts_at(std::size_t part, const PartMotion& motion);
-
-    // True if a part that stayed, painted or not, is where the mesh's part is.
-    bool is_occupied(std::uint32_t part_of_mesh);
 
     // Whether the mesh's part is of another object than the stored one.
     bool differ(std::size_t part, std::uint32_t part_of_mesh) {

@@ -21,13 +21,6 @@ bool PartTypes::differ(std::size_t part, const PartMotion& a, const PartMotion& 
     return !all_found(faces_[part], a, b) || !all_found(faces_[part], b, a);
 }
 
-bool PartTypes::all_differ(const PartMotion& a, const PartMotion& b) const {
-    Faces all;
-    for (const Faces& faces : faces_)
-        all.insert(all.end(), faces.begin(), faces.end());
-    return !all_found(all, a, b) || !all_found(all, b, a);
-}
-
 // Whether the faces after `from` are among those after `to`, with their types.
 bool PartTypes::all_found(const Faces& faces, const PartMotion& from, const PartMotion& to) {
     struct Moved {

@@ -14,8 +14,6 @@ class PartTypes {
 
     // True if a painted face is where the other motion puts a face of another type, or none.
     bool differ(std::size_t part, const PartMotion& a, const PartMotion& b) const;
-    // The same for all faces together, when all parts make the motion.
-    bool all_differ(const PartMotion& a, const PartMotion& b) const;
 
   private:
     using Faces = std::vector<const StoredOverride*>;

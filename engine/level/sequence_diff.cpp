@@ -39,31 +39,6 @@ std::vector<KeyedIndex> hashes(std::span<const FaceToken> faces, std::uint32_t b
     return result;
 }
 
-struct Stretch {
-    std::uint32_t a, b;
-};
-
-// Those that ascend in both, as many as possible. Sorted by `b` before.
-std::vector<Stretch> longest_ascending(const std::vector<Stretch>& anchors) {
-    std::vector<std::size_t> ends;  // [length - 1] the anchor with the lowest `a` that ends so many
-    std::vector<std::size_t> previous(anchors.size(), anchors.size());
-    for (std::size_t i = 0; i < anchors.size(); ++i) {
-        const auto place =
-            std::lower_bound(ends.begin(), ends.end(), anchors[i].a,
-                             [&](std::size_t one, std::uint32_t a) { return anchors[one].a < a; });
-        if (place != ends.begin()) previous[i] = *(place - 1);
-        if (place == ends.end())
-            ends.push_back(i);
-        else
-            *place = i;
-    }
-    std::vector<Stretch> chain;
-    for (std::size_t i = ends.empty() ? anchors.size() : ends.back(); i < anchors.size(); i = previous[i])
-        chain.push_back(anchors[i]);
-    std::reverse(chain.begin(), chain.end());
-    return chain;
-}
-
 class Diff {
   public:
     Diff(std::span<const FaceToken> old, std::span<const FaceToken> now)
@@ -142,6 +117,26 @@ class Diff {
 };
 
 }  // namespace
+
+std::vector<Stretch> longest_ascending(const std::vector<Stretch>& anchors) {
+    std::vector<std::size_t> ends;  // [length - 1] the anchor with the lowest `a` that ends so many
+    std::vector<std::size_t> previous(anchors.size(), anchors.size());
+    for (std::size_t i = 0; i < anchors.size(); ++i) {
+        const auto place =
+            std::lower_bound(ends.begin(), ends.end(), anchors[i].a,
+                             [&](std::size_t one, std::uint32_t a) { return anchors[one].a < a; });
+        if (place != ends.begin()) previous[i] = *(place - 1);
+        if (place == ends.end())
+            ends.push_back(i);
+        else
+            *place = i;
+    }
+    std::vector<Stretch> chain;
+    for (std::size_t i = ends.empty() ? anchors.size() : ends.back(); i < anchors.size(); i = previous[i])
+        chain.push_back(anchors[i]);
+    std::reverse(chain.begin(), chain.end());
+    return chain;
+}
 
 std::vector<std::uint32_t> sequence_diff(std::span<const FaceToken> old, std::span<const FaceToken> now) {
     return Diff(old, now).run();

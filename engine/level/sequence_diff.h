@@ -13,4 +13,12 @@ namespace slipface {
 // patience diff. Time and memory grow linearly but for the sorting of hashes.
 std::vector<std::uint32_t> sequence_diff(std::span<const FaceToken> old, std::span<const FaceToken> now);
 
+// Faces from `a` of old and `b` of now on.
+struct Stretch {
+    std::uint32_t a, b;
+};
+
+// Those that ascend in both, as many as possible. Sorted by `b` before.
+std::vector<Stretch> longest_ascending(const std::vector<Stretch>& stretches);
+
 }  // namespace slipface

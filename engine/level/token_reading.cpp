@@ -1,7 +1,9 @@
 #include "token_reading.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "face_match.h"
 #include "point_grid.h"
@@ -24,6 +26,9 @@ constexpr double cell_of_places = 2.0;
 bool may_be(const FaceToken& a, const FaceToken& b) {
     return a.joined_as(b) || a.shaped_as(b);
 }
+
+// Different motions of faces that may have been others of their row.
+constexpr std::size_t max_slides = 64;
 
 double slack_of(const Vec3f& position) {
     return 2.0 * position_tolerance(position.cast<double>());
@@ -72,8 +77,18 @@ bool read_whole(const ObjectEdit& edit, Reading& reading) {
     for (std::size_t i = 0; i < edit.old.size(); ++i)
         joined += edit.old[i].joined_as(edit.now[i]) ? 1 : 0;
     if (static_cast<double>(joined) < enough_joined * static_cast<double>(edit.old.size())) return false;
-    for (std::uint32_t i = 0; i < edit.old.size(); ++i)
-        if (may_be(edit.old[i], edit.now[i])) reading.before[i] = i;
+    std::vector<bool> known(edit.old.size());
+    std::size_t shaped = 0;
+    for (std::uint32_t i = 0; i < edit.old.size(); ++i) {
+        known[i] = may_be(edit.old[i], edit.now[i]);
+        shaped += edit.old[i].shaped_as(edit.now[i]) ? 1 : 0;
+    }
+    // Of an object that was scaled, a single face between known ones is the old one there.
+    for (std::uint32_t i = 0; i < edit.old.size(); ++i) {
+        const bool single = 2 * shaped < known.size() && edit.old[i].corners == edit.now[i].corners &&
+                            i > 0 && known[i - 1] && i + 1 < known.size() && known[i + 1];
+        if (known[i] || single) reading.before[i] = i;
+    }
     return true;
 }
 
@@ -186,6 +201,16 @@ void fill_gaps(const ObjectEdit& edit, std::vector<std::uint32_t>& before) {
 
 }  // namespace
 
+Vec3 ObjectEdit::away(std::size_t a, std::size_t b) const {
+    return (now[b].position - old[a].position).cast<double>();
+}
+
+bool ObjectEdit::same_place(const Vec3& a, const Vec3& b, std::size_t face) const {
+    return ((a - b).cwiseAbs().array() <=
+            1.02 * box.step.cast<double>().array() + 2.0 * slack_of(now[face].position))
+        .all();
+}
+
 bool ObjectEdit::in_place(std::size_t a, std::size_t b) const {
     const Vec3f away = (now[b].position - old[a].position).cwiseAbs();
     const auto slack = static_cast<float>(slack_of(now[b].position));
@@ -217,7 +242,8 @@ Reading read_by_place(const ObjectEdit& edit) {
     const auto scaled = [&](const FaceToken& face) -> Vec3 {
         return face.position.cast<double>().cwiseQuotient(step);
     };
-    const PointGrid places(edit.old.size(), cell_of_places, [&](std::size_t a) { return scaled(edit.old[a]); });
+    const PointGrid places(edit.old.size(), cell_of_places,
+                           [&](std::size_t a) { return scaled(edit.old[a]); });
     Reading reading;
     reading.before.assign(edit.now.size(), no_id);
     std::vector<bool> taken(edit.old.size(), false);
@@ -244,42 +270,64 @@ Reading read_by_place(const ObjectEdit& edit) {
     return reading;
 }
 
-std::vector<std::uint32_t> slid(const ObjectEdit& edit, const std::vector<std::uint32_t>& before) {
+namespace {
+
+// In a row of equal faces others of the row may have gone or come: what the faces before or behind a gap were
+// then, all as far away from where they are.
+struct Slide {
+    bool added;
+    Vec3 by;
+    std::vector<std::uint32_t> now, old;
+};
+
+// Between the old faces from `a0` to `a1`, and the new ones from `b0` to `b1`, one of the two lists is empty.
+void add_slides(const ObjectEdit& edit, const std::vector<std::uint32_t>& before, std::uint32_t a0,
+                std::uint32_t a1, std::uint32_t b0, std::uint32_t b1, std::vector<Slide>& slides) {
+    const bool added = a0 == a1;
     // Only their shapes are compared: the first face of a row is joined to nothing, whichever it is.
-    std::vector<std::uint32_t> other = before;
-    // Between the old faces before `a0` and from `a1` on, and the new ones before `b0` and from `b1` on, one
-    // of the two lists has more. That of the longer one is `length` longer.
-    const auto slide = [&](std::uint32_t a0, std::uint32_t a1, std::uint32_t b0, std::uint32_t b1) {
-        const auto known = [&](std::uint32_t b, std::uint32_t a) {
-            return b < before.size() && before[b] == a;
-        };
-        if (a1 > a0) {  // removed
-            for (std::uint32_t k = 1;
-                 k <= a0 && k <= b0 && known(b0 - k, a0 - k) && edit.old[a0 - k].shaped_as(edit.old[a1 - k]);
-                 ++k)
-                other[b0 - k] = a1 - k;
-            for (std::uint32_t k = 0; a1 + k < edit.old.size() && known(b0 + k, a1 + k) &&
-                                      edit.old[a0 + k].shaped_as(edit.old[a1 + k]);
-                 ++k)
-                other[b0 + k] = a0 + k;
-            return;
+    const auto slide = [&](const auto& face_at) {
+        Slide found{added, {}, {}, {}};
+        for (std::uint32_t k = 0;; ++k) {
+            const auto [known_a, known_b, a, b] = face_at(k);
+            if (known_a >= edit.old.size() || known_b >= before.size() || before[known_b] != known_a ||
+                a >= edit.old.size() || b >= edit.now.size() || !edit.old[a].shaped_as(edit.now[b]))
+                break;
+            if (k == 0) found.by = edit.away(a, b);
+            if (!edit.same_place(edit.away(a, b), found.by, b)) break;
+            found.now.push_back(b);
+            found.old.push_back(a);
         }
-        std::uint32_t k = 1;  // added
-        for (; k <= a0 && k <= b0 && known(b0 - k, a0 - k) && edit.now[b0 - k].shaped_as(edit.now[b1 - k]);
-             ++k)
-            other[b1 - k] = a0 - k;
-        for (std::uint32_t b = b0 - (k - 1); b < std::min(b0, b1 - (k - 1)); ++b)
-            other[b] = no_id;
-        for (k = 0; b1 + k < edit.now.size() && known(b1 + k, a0 + k) &&
-                    edit.now[b0 + k].shaped_as(edit.now[b1 + k]);
-             ++k)
-            other[b0 + k] = a0 + k;
-        for (std::uint32_t b = std::max(b1, b0 + k); b < b1 + k; ++b)
-            other[b] = no_id;
+        if (!found.now.empty()) slides.push_back(std::move(found));
     };
+    using Faces = std::array<std::uint32_t, 4>;  // below 0 is more than there are
+    slide([&](std::uint32_t k) -> Faces {
+        return {a0 - 1 - k, b0 - 1 - k, (added ? a0 : a1) - 1 - k, (added ? b1 : b0) - 1 - k};
+    });
+    slide([&](std::uint32_t k) -> Faces { return {a1 + k, b1 + k, a0 + k, b0 + k}; });
+}
+
+}  // namespace
+
+Reading in_order(const ObjectEdit& edit, const Reading& place) {
+    Reading reading;
+    reading.before.assign(edit.now.size(), no_id);
+    std::vector<Stretch> known;
+    for (std::uint32_t b = 0; b < place.before.size(); ++b)
+        if (place.before[b] != no_id) known.push_back({place.before[b], b});
+    for (const Stretch& face : longest_ascending(known))
+        reading.before[face.b] = face.a;
+    fill_gaps(edit, reading.before);
+    rate(edit, reading);
+    return reading;
+}
+
+std::vector<std::uint32_t> slid(const ObjectEdit& edit, const std::vector<std::uint32_t>& before,
+                                std::vector<bool>& open) {
+    std::vector<Slide> slides;
     std::uint32_t next_a = 0, next_b = 0;
     const auto end_gap = [&](std::uint32_t a, std::uint32_t b) {
-        if (a >= next_a && (a == next_a) != (b == next_b)) slide(next_a, a, next_b, b);
+        if (a >= next_a && (a == next_a) != (b == next_b))
+            add_slides(edit, before, next_a, a, next_b, b, slides);
     };
     for (std::uint32_t b = 0; b < before.size(); ++b) {
         if (before[b] == no_id) continue;
@@ -288,6 +336,51 @@ std::vector<std::uint32_t> slid(const ObjectEdit& edit, const std::vector<std::u
         next_b = b + 1;
     }
     end_gap(static_cast<std::uint32_t>(edit.old.size()), static_cast<std::uint32_t>(before.size()));
+
+    std::vector<std::uint32_t> other = before;
+    std::vector<bool> done(slides.size(), false);
+    std::size_t motions = 0;
+    for (std::size_t first = 0; first < slides.size(); ++first) {
+        if (done[first]) continue;
+        if (++motions > max_slides) break;
+        const bool added = slides[first].added;
+        const Vec3 by = slides[first].by;
+        std::vector<bool> moves(before.size(), false);
+        for (std::size_t i = first; i < slides.size(); ++i) {
+            if (slides[i].added != added || !edit.same_place(slides[i].by, by, slides[i].now[0])) continue;
+            done[i] = true;
+            for (const std::uint32_t b : slides[i].now)
+                moves[b] = true;
+        }
+        // What has no other past lies ahead of those that closed up, and behind those that made room.
+        double limit = std::numeric_limits<double>::infinity();
+        const auto ahead = [&](std::uint32_t b) {
+            return (added ? -1.0 : 1.0) * by.dot(edit.now[b].position.cast<double>());
+        };
+        for (std::uint32_t b = 0; b < before.size(); ++b)
+            if (before[b] != no_id && !moves[b] && !edit.same_place(edit.away(before[b], b), by, b))
+                limit = std::min(limit, ahead(b));
+        const double room = by.norm() * static_cast<double>(edit.box.step.norm());
+        const bool stays = edit.same_place(by, Vec3::Zero(), slides[first].now[0]);
+        for (std::size_t i = first; i < slides.size(); ++i) {
+            if (slides[i].added != added || !edit.same_place(slides[i].by, by, slides[i].now[0])) continue;
+            for (std::size_t k = 0; k < slides[i].now.size(); ++k) {
+                const std::uint32_t b = slides[i].now[k];
+                if (!stays && ahead(b) + room >= limit) continue;
+                other[b] = slides[i].old[k];
+                open[b] = open[b] || added;
+            }
+        }
+    }
+    // An old face is only one of the new ones.
+    std::vector<bool> taken(edit.old.size(), false);
+    for (std::uint32_t b = 0; b < before.size(); ++b)
+        if (other[b] != before[b] && other[b] != no_id) taken[other[b]] = true;
+    for (std::uint32_t b = 0; b < before.size(); ++b)
+        if (other[b] == before[b] && other[b] != no_id && taken[other[b]]) {
+            other[b] = no_id;
+            open[b] = true;
+        }
     return other;
 }
 
