@@ -36,7 +36,7 @@ struct ObjectPair {
     std::vector<bool> open = {};            // as Correspondence, of the object
 };
 
-bool nearly_all(std::size_t faces, std::size_t of) {
+bool almost_all(std::size_t faces, std::size_t of) {
     return static_cast<double>(faces) >= level_in_order * static_cast<double>(of);
 }
 
@@ -118,13 +118,13 @@ class Comparison {
         const Reading place = all_stay ? order : read_by_place(edit);
         if (!order.whole && !all_stay) {
             Reading kept = in_order(edit, place);
-            if (kept.score > order.score && nearly_all(kept.matched, fewer)) order = std::move(kept);
+            if (kept.score > order.score && almost_all(kept.matched, fewer)) order = std::move(kept);
         }
         const bool too_small = !pair.named && edit.old.size() < enough_faces;
         // A tool sorted the faces, or they are in that order by chance.
         const bool sorted =
-            !nearly_all(order.score, place.score) ||
-            (!order.whole && !nearly_all(order.matched, edit.now.size()) && place.in_place >= order.matched);
+            !almost_all(order.score, place.score) ||
+            (!order.whole && !almost_all(order.matched, edit.now.size()) && place.in_place >= order.matched);
         if (order.in_place < order.matched && (too_small || sorted)) {
             order.before.assign(edit.now.size(), no_id);
             order.matched = 0;
@@ -281,7 +281,7 @@ class Comparison {
             faces += now_.objects[pair.now].count;
             in_order += pair.order.matched;
         }
-        return nearly_all(in_order, faces);
+        return almost_all(in_order, faces);
     }
 
     void add(const ObjectPair& pair, Correspondence& result) const {

@@ -13,8 +13,9 @@ namespace slipface {
 // Polygons, each beside a FaceKey, which has its centroid and size.
 class FaceOutlines {
   public:
+    FaceOutlines() = default;
     // `flat`: as older files have them, in the plane of the key and right up to 1 % of the polygon's extent.
-    explicit FaceOutlines(bool flat = false) : flat_(flat) {}
+    explicit FaceOutlines(bool flat) : flat_(flat) {}
     std::size_t count() const { return first_.size(); }
 
     // Empty for a face with hundreds of corners, or hardly any extent. `key`: of the face.
@@ -38,7 +39,7 @@ class FaceOutlines {
     Head head(std::string_view bytes, double area) const;
     std::size_t corner_bytes() const { return flat_ ? 2 : 6; }
 
-    bool flat_;
+    bool flat_ = false;
     std::string bytes_;
     std::vector<std::uint32_t> first_;  // byte of each outline
 };

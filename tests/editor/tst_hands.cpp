@@ -125,7 +125,7 @@ TEST_F(Hands, ARightClickOpensTheMenuOfTheFaceUnderIt) {
     EXPECT_FALSE(editor().pointed);
 }
 
-TEST_F(Hands, ARightDragFliesAndALongHoldOpensNothing) {
+TEST_F(Hands, ARightDragFliesAndAClickOfAnyLengthOpensTheMenu) {
     look_down();
     const ViewCamera before = editor().view;
     const ImVec2 at = pixel_of({4, 0, 4});
@@ -139,8 +139,7 @@ TEST_F(Hands, ARightDragFliesAndALongHoldOpensNothing) {
     press(1);
     host->rest(3.0);
     release(1);
-    EXPECT_FALSE(shown("View menu/Set spawn point"));
-    EXPECT_TRUE(document().selection().empty());
+    EXPECT_TRUE(shown("View menu/Set spawn point"));
 }
 
 // Whatever the mouse is over.
