@@ -104,7 +104,7 @@ files += [sorted((copy / "engine/scenes").glob("demo*.cpp")) + [copy / "engine/s
 files += [[source / f"engine/level/{name}.cpp" for name in
            ("level", "level_scene", "material_name", "platform", "preset", "props", "shown_mesh", "terrain", "json_movement", "json_parts",
             "json_reader", "json_text")]]
-files += [[source / f"engine/sim/{name}.cpp" for name in ("simulate", "run", "tape", "story", "story_words")]]
+files += [[source / f"engine/sim/{name}.cpp" for name in ("simulate", "run", "tape", "story", "story_words", "lecture_mover")]]
 files += [[source / "editor/tools/commands/settings_docs.cpp"]]
 files += [[source / "tests/movement/tst_settings.cpp"],
           [source / "tests/scenes/tst_demo_traces.cpp", source / "tests/adding/check.cpp"]]
