@@ -213,18 +213,12 @@ int order_buttons(int shown) {
     return next;
 }
 
-void wrapped(const char* text) {
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
-}
-
 // What goes wrong and what cures it first; then how, and the lecture's own names.
 void card(Editor& editor, FrameContext& frame, const SettingInfo& info, const DemoInfo* demo) {
     ui::heading(demo != nullptr ? demo->title : info.label);
     if (demo != nullptr) {
-        wrapped(demo->problem);
-        wrapped(demo->cure);
+        ImGui::TextWrapped("%s", demo->problem);
+        ImGui::TextWrapped("%s", demo->cure);
     }
     const FormulaInfo* formula = demo != nullptr ? formula_of(*demo) : find_formula(info.name);
     if (formula != nullptr && *formula->lecture != '\0')
@@ -232,7 +226,7 @@ void card(Editor& editor, FrameContext& frame, const SettingInfo& info, const De
     if (demo != nullptr)
         ui::muted_text(fmt::format("The setting {}. Off: {}.", info.label, off_of(*demo)).c_str());
     else
-        wrapped(meaning_of(info).c_str());
+        ImGui::TextWrapped("%s", meaning_of(info).c_str());
     formula_rows(editor, info, demo);
     if (demo != nullptr) {
         ImGui::Spacing();

@@ -53,9 +53,9 @@ const FormulaInfo* formula_of(const DemoInfo& info);
 Demo make_demo(const DemoInfo& info);
 
 // Writes NAME.obj, NAME.mtl, NAME.slipface.json, NAME.tape, NAME-off.tape with the problem and, if there is
-// terrain, NAME-terrain.png into `folder`. The level has a goal that the one tape reaches and the other does
-// not: `slipface grade` passes a tape that a student made of the latter. `folder`, which is created if it
-// does not exist. Returns the path of the OBJ. Errors: a folder or file that cannot be written.
+// terrain, NAME-terrain.png into `folder`, which is created if it does not exist. The level has a goal that
+// the one tape reaches and the other does not: `slipface grade` passes a tape that a student made of the
+// latter. Returns the path of the OBJ. Errors: a folder or file that cannot be written.
 Result<std::filesystem::path> save_demo(const DemoInfo& info, const std::filesystem::path& folder);
 
 }  // namespace slipface
