@@ -100,6 +100,9 @@ class Search {
             const PlayerInput input = run_.input_at(stop_.first);
             lost_m_ = run_.settings_at(stop_.first).walk_speed * input.wish.norm() * run_.dt() *
                       static_cast<double>(end_ - stop_.first);
+            // A player that fell onto lower ground goes on there.
+            if (stop_.fell_m > 0.0) lost_m_ = -cost_m;
+            stayed_up_ = run_.samples()[stop_.first].position.y() + 0.5 * stop_.fell_m;
         }
         began_ = run_.state_before(*scene_, first_);
         long_before_ = run_.state_before(*scene_, ticks_before(run_, first_, cost_before_s));
@@ -125,13 +128,14 @@ class Search {
         if (was_sent_back()) land(trial);
         return trial;
     }
-    // A fall that has not ended yet is no rescue.
+    // A fall that has not ended yet is no rescue, nor is one onto lower ground.
     void land(Trial& trial) const {
         const double advanced = trial.advanced_m;
         trial.end = run_.length();
         while (!trial.done() && !is_held(trial.state))
             trial.advance(*scene_, run_, start_, cancelled_() ? 0 : 1);
-        if (!trial.sent_back && !is_held(trial.state)) trial.sent_back = end_ - 1;
+        const bool fell = stop_.fell_m > 0.0 && scene_->to_level(trial.state).y() < stayed_up_;
+        if (!trial.sent_back && (fell || !is_held(trial.state))) trial.sent_back = end_ - 1;
         trial.advanced_m = advanced;
     }
     bool was_sent_back() const { return stop_.loss.cause >= StopCause::hazard; }
@@ -274,6 +278,7 @@ class Search {
     std::size_t first_ = 0, end_ = 0;
     PlayerState began_, long_before_;  // before the tick first_, and cost_before_s earlier
     double as_is_m_ = 0.0, lost_m_ = 0.0;
+    double stayed_up_ = 0.0;  // of a fall: the height of the middle of a player that did not fall
     std::vector<Cure> found_;
     std::optional<decltype(Level::overrides)> original_overrides_;  // while faces are painted
     std::size_t original_types_ = 0;
@@ -314,7 +319,7 @@ Status apply_cure(Level& level, const Cure& cure) {
 
 std::string cure_text(const Cure& cure) {
     std::string text = cure.passes && cure.gained_m < unseen_m
-                           ? cure.text + ": not sent back to the start"
+                           ? cure.text + ": then it does not happen"
                            : fmt::format("{}: {:.2f} m further", cure.text, cure.gained_m);
     if (!cure.passes) text += ", but still stopped";
     if (!cure.cost.empty()) text += "; " + cure.cost;

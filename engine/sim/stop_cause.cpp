@@ -153,8 +153,8 @@ void name_press(Stop& stop, WhatHolds& holds) {
     }
 }
 
-bool name_fall(Stop& stop, WhatHolds& holds) {
-    const auto carrier = holds.of_fall(stop.left, stop.first);
+bool name_fall(Stop& stop, WhatHolds& holds, double lowest) {
+    const auto carrier = holds.of_fall(stop.left, stop.first, lowest);
     if (!carrier) return false;
     const Obstacle& obstacle = carrier->holding.front();
     stop.fall = carrier->cause;

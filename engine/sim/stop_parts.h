@@ -18,8 +18,8 @@ struct Blame {
 // Fills in the cause: of what `found` says is enough to free the player.
 void name_cause(Stop& stop, WhatHolds& holds, std::span<const Holding> found, std::span<const Blame> by_trace,
                 const MovementSettings& settings, const Mesh& mesh);
-// What would have carried the player, if that is found, and what left it no room.
-bool name_fall(Stop& stop, WhatHolds& holds);
+// What would have carried the player above the height `lowest`, if that is found, and what left it no room.
+bool name_fall(Stop& stop, WhatHolds& holds, double lowest);
 void name_press(Stop& stop, WhatHolds& holds);
 
 void write_headline(Stop& stop, const MovementSettings& settings, const StoryNames& names);

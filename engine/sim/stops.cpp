@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "fell_short.h"
@@ -110,7 +111,7 @@ bool is_of_geometry(StopCause cause) {
     }
 }
 
-// Where a fall out of the level began: the ground stood on before it, until the tick `left`.
+// Where a fall began: the ground stood on before it, until the tick `left`.
 Loss fall_after(const TapeRun& run, std::size_t tick, const Vec3& end, std::size_t& left) {
     Loss loss{.cause = StopCause::fall, .position = end};
     for (std::size_t i = tick; i-- > 0;) {
@@ -127,7 +128,9 @@ Loss fall_after(const TapeRun& run, std::size_t tick, const Vec3& end, std::size
     return loss;
 }
 
-// Stretches in which less than half of the motion was made that the stick requested, and the ways back.
+// Stretches in which less than half of the motion was made that the stick requested, the ways back, and the
+// falls by more than the player's height.
+constexpr auto no_tick = std::numeric_limits<std::size_t>::max();
 struct Stretch {
     Stop stop;
     double early_m = 0.0;  // what was lost until WhatHolds::looked_at_s
@@ -141,6 +144,7 @@ std::vector<Stretch> find_stretches(const TapeRun& run, const StoryNames& names)
     FreeWalk free(run, names);
     bool open = false;
     Stretch now;
+    std::size_t stood = no_tick;  // the last tick on the ground; no_tick: held by something else since
     const auto close = [&] {
         if (open && now.stop.lost_s >= least_stop_s) stretches.push_back(now);
         open = false;
@@ -154,7 +158,24 @@ std::vector<Stretch> find_stretches(const TapeRun& run, const StoryNames& names)
             stretches.push_back(
                 {Stop{.first = tick, .last = tick, .worst = tick, .left = tick, .lost_s = least_stop_s}});
             heading.setZero();
+            stood = no_tick;
             continue;
+        }
+        if (samples[tick].grounded) {
+            const double fell =
+                stood == no_tick ? 0.0 : samples[stood].position.y() - samples[tick].position.y();
+            if (tick - stood > 1 && fell > 2.0 * settings.radii.y()) {
+                close();
+                stretches.push_back({Stop{.first = tick,
+                                          .last = tick,
+                                          .worst = tick,
+                                          .left = tick,
+                                          .lost_s = least_stop_s,
+                                          .fell_m = fell}});
+            }
+            stood = tick;
+        } else if (samples[tick].climbing || samples[tick].hanging) {
+            stood = no_tick;
         }
         if (open && tick > now.stop.last + joined) close();
         const Vec2 direction = input.wish.isZero(0.0) ? Vec2(Vec2::Zero()) : input.wish.normalized();
@@ -196,7 +217,8 @@ void explain_return(Stop& stop, const TickScene& scene, const TapeRun& run, What
     if (trace.after.respawn == Respawn::hazard) stop.loss.cause = StopCause::hazard;
     if (trace.after.respawn == Respawn::crushed) stop.loss.cause = StopCause::crushed;
     if (holds == nullptr) return;
-    if (stop.loss.cause == StopCause::fall && !name_fall(stop, *holds)) {
+    constexpr double anywhere = -std::numeric_limits<double>::infinity();
+    if (stop.loss.cause == StopCause::fall && !name_fall(stop, *holds, anywhere)) {
         if (const auto missed = fell_short(scene, run, stop.left, stop.first)) {
             stop.fall = FallCause::too_short;
             stop.loss.other = missed->face;
@@ -205,6 +227,14 @@ void explain_return(Stop& stop, const TickScene& scene, const TapeRun& run, What
         }
     }
     if (stop.loss.cause == StopCause::crushed) name_press(stop, *holds);
+}
+
+// A player that fell deep did so by itself, unless something is found without which it would have stayed up.
+bool explain_fall(Stop& stop, const TapeRun& run, WhatHolds& holds) {
+    const Vec3 end = run.samples()[stop.first].position;
+    stop.loss = fall_after(run, stop.first, end, stop.left);
+    if (run.input_at(stop.left).buttons.has(Button::drop)) return false;
+    return name_fall(stop, holds, end.y() + 0.5 * stop.fell_m);
 }
 
 // With `level`, by trying.
@@ -219,7 +249,9 @@ std::vector<Stop> explained(const TickScene& scene, const TapeRun& run, const St
         const MovementSettings settings = settings_of_body(
             run.settings_at(stop.worst), PlayerState{.crouched = run.samples()[stop.worst].crouched});
         const bool back = run.samples()[stop.first].respawned;
-        if (back) {
+        if (stop.fell_m > 0.0) {
+            if (!holds || !explain_fall(stop, run, *holds)) continue;
+        } else if (back) {
             explain_return(stop, scene, run, holds ? &*holds : nullptr);
         } else {
             const std::vector<Blame> by_trace = blame_by_trace(scene, run, stop);

@@ -453,13 +453,13 @@ std::vector<Holding> WhatHolds::of_crush(std::size_t tick) {
     return found;
 }
 
-std::optional<WhatHolds::Carrier> WhatHolds::of_fall(std::size_t left, std::size_t end) {
+std::optional<WhatHolds::Carrier> WhatHolds::of_fall(std::size_t left, std::size_t end, double lowest) {
     Impl& impl = *impl_;
     if (!impl.build()) return std::nullopt;
     impl.forget();
     impl.look_along(left);
 
-    // The face on which the player lands before the end of the trial, if it does.
+    // The face on which the player lands high enough before the end of the trial, if it does.
     const auto lands = [&](std::span<const FaceId> faces, SurfaceId type) -> std::optional<FaceId> {
         Trial trial;
         trial.state = impl.state_before(left);
@@ -471,6 +471,7 @@ std::optional<WhatHolds::Carrier> WhatHolds::of_fall(std::size_t left, std::size
             trial.advance(*impl.scene, impl.run, impl.start, 1);
             // Not the ground that it leaves in the first tick.
             if (trial.sent_back || !trial.state.grounded || trial.tick <= left + 1) continue;
+            if (!(impl.scene->to_level(trial.state).y() > lowest)) continue;
             // Nor the inside of what was taken away.
             const FaceId face = trial.state.ground_face;
             const bool inside = type == *impl.nothing && face < impl.mesh->face_count() &&

@@ -42,14 +42,15 @@ class WhatHolds {
     // After of_stop(): whether a much thinner player would have got on.
     bool lets_thin_through();
 
-    // What would have carried a player who left the ground before tick `left` and was sent back at `end`.
+    // What would have carried a player who left the ground before tick `left` and was sent back, or landed
+    // deep below, at `end`: at a height of its middle of more than `lowest`.
     struct Carrier {
         Holding holding;  // what let it through, or what it touched in the air
         FallCause cause = FallCause::unknown;
         FaceId ground = no_id;                  // where it would have landed, or what it stood on
         std::optional<SurfaceId> surface = {};  // whose type made it fall
     };
-    std::optional<Carrier> of_fall(std::size_t left, std::size_t end);
+    std::optional<Carrier> of_fall(std::size_t left, std::size_t end, double lowest);
 
     // Without any one of these the player would not have been crushed in tick `tick`.
     std::vector<Holding> of_crush(std::size_t tick);

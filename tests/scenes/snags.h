@@ -54,13 +54,16 @@ inline MovementSettings lecture_settings() {
     return find_preset("lecture")->settings;
 }
 
+// Whether there is a floor below the others, onto which a player falls.
+inline bool cellar = false;
+
 // Starts at the origin and walks along -Z for two seconds.
-inline Snag snag_of(std::string kind, std::string size, const Shapes& shapes,
-                    const MovementSettings& settings, std::set<StopCause> causes,
-                    const char* inputs = "15 wish 0,0\n120 wish 0,-1\n") {
+inline Snag snag_of(std::string kind, std::string size, Shapes shapes, const MovementSettings& settings,
+                    std::set<StopCause> causes, const char* inputs = "15 wish 0,0\n120 wish 0,-1\n") {
     Snag snag;
     snag.kind = std::move(kind);
     snag.size = std::move(size);
+    if (cellar) shapes.group("cellar").material("plaster").box({-30, -5, -60}, {30, -4, 30});
     snag.level = shapes.level();
     snag.level.movement = settings;
     snag.level.spawn = Vec3(0, settings.radii.y() + settings.skin, 0);

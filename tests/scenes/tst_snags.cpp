@@ -92,6 +92,16 @@ void judge(const Snag& snag, Score& score) {
                 cured || !snag.has_cure ? "" : "FAILS: ", cure.c_str());
 }
 
+std::vector<Snag> all_snags(std::uint64_t seed) {
+    SnagMaker maker(seed);
+    std::vector<Snag> snags = maker.make();
+    for (Snag& snag : maker.make_under_defaults())
+        snags.push_back(std::move(snag));
+    for (Snag& snag : maker.make_others())
+        snags.push_back(std::move(snag));
+    return snags;
+}
+
 TEST(Snags, TheHeadlineIsRightAndTheFirstCureWorks) {
     Score score;
     std::map<std::string, Score> kinds;
@@ -100,13 +110,7 @@ TEST(Snags, TheHeadlineIsRightAndTheFirstCureWorks) {
         ASSERT_EQ(std::sscanf(seeds, "%llu,%llu", &first, &last), 2) << seeds;
     }
     for (std::uint64_t seed = first; seed <= last; ++seed) {
-        SnagMaker maker(seed);
-        std::vector<Snag> snags = maker.make();
-        for (Snag& snag : maker.make_under_defaults())
-            snags.push_back(std::move(snag));
-        for (Snag& snag : maker.make_others())
-            snags.push_back(std::move(snag));
-        for (const Snag& snag : snags) {
+        for (const Snag& snag : all_snags(seed)) {
             Score one;
             judge(snag, one);
             for (Score* sum : {&score, &kinds[snag.kind]}) {
@@ -124,6 +128,38 @@ TEST(Snags, TheHeadlineIsRightAndTheFirstCureWorks) {
     EXPECT_GE(score.snags, 40);
     EXPECT_GE(score.headlines, 0.95 * score.snags);
     EXPECT_GE(score.cures, 0.90 * score.snags);
+}
+
+// Of a fall the same is blamed, with the same cure, whether it ends below the level or on a floor.
+TEST(Snags, AFloorBelowChangesNoCauseOfAFall) {
+    int falls = 0;
+    for (const std::uint64_t seed : {11, 12, 13}) {
+        const std::vector<Snag> open = all_snags(seed);
+        cellar = true;
+        const std::vector<Snag> closed = all_snags(seed);
+        cellar = false;
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            if (!open[i].causes.contains(StopCause::fall)) continue;
+            const Walk out = walk(open[i].level, open[i].tape, true);
+            const Stop* stop = headline_stop(out.stops);
+            if (stop == nullptr || stop->fall == FallCause::unknown || stop->fall == FallCause::too_short)
+                continue;
+            const std::string what = open[i].kind + ", " + open[i].size;
+            const Walk down = walk(closed[i].level, closed[i].tape, true);
+            const auto same = std::ranges::find(down.stops, stop->headline, &Stop::headline);
+            ++falls;
+            if (same == down.stops.end()) {
+                ADD_FAILURE() << what << ": " << stop->headline << "\n" << stops_text(down.stops, 1.0 / 60);
+                continue;
+            }
+            EXPECT_GT(same->fell_m, 3.0) << what;
+            if (headline_stop(down.stops) != &*same) continue;  // the cures are those of what came later
+            EXPECT_EQ(out.cures.empty(), down.cures.empty()) << what;
+            if (out.cures.empty() || down.cures.empty()) continue;
+            EXPECT_EQ(out.cures.front().text, down.cures.front().text) << what;
+        }
+    }
+    EXPECT_GE(falls, 12);
 }
 
 TEST(Snags, AWalkThatNothingStopsHasNoHeadline) {

@@ -52,7 +52,7 @@ struct Loss {
 // lost. A hazard, steep terrain, being inside geometry and being crushed are always reported.
 std::optional<Loss> loss_of(const TickTrace& trace);
 
-// Why nothing carried a player who fell out of the level.
+// Why nothing carried a player who fell out of the level, or deep.
 enum class FallCause : std::uint8_t {
     unknown,    // walked or jumped off
     not_solid,  // the type of what lay below is not solid
@@ -73,6 +73,7 @@ struct Stop {
     Loss loss = {};
     FallCause fall = FallCause::unknown;
     double short_m = 0.0, low_m = 0.0;  // what was missing of a jump, along and up
+    double fell_m = 0.0;                // of a fall that ended on lower ground; 0: it was out of the level
     bool blind_after = false;  // the player was sent back, and the stick went on as if it had not been
     double feet_m = 0.0;       // the height of the feet at the tick `worst`, in the level's coordinates
     std::vector<FaceId> held_by = {};  // without these faces the player gets on; empty: not known
@@ -82,7 +83,8 @@ struct Stop {
 
 // The stops of a run, in order: neighbouring ticks in which the run made less than half of the motion that
 // the stick requested. A loss below least_stop_s is no stop: walking along a wall, climbing a step. Each
-// return to the start is a stop of its own.
+// return to the start is a stop of its own, and each fall by more than the player's height that something
+// caused: without it the player would have stayed up.
 //
 // What held the player is found by trying: the run is played again without what was met, until the player
 // gets on, and what may stay is put back. Where several things hold it, each alone, the headline names the
