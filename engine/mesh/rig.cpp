@@ -88,9 +88,9 @@ void sample(const RigTrack& track, std::size_t count, float at, float* out) {
         return;
     }
     float from = 1 - t, to = t;
-    if (track.moves == RigTrack::Moves::rotation && track.angles[key] > 1e-3F) {
-        const double angle = static_cast<double>(track.angles[key]);
-        const SinCos whole = sin_cos(angle), part = sin_cos(angle * static_cast<double>(t));
+    if (track.moves == RigTrack::Moves::rotation && track.arcs[key].angle > 1e-3) {
+        const RigTrack::Arc& whole = track.arcs[key];
+        const SinCos part = sin_cos(whole.angle * static_cast<double>(t));
         from = static_cast<float>((whole.sine * part.cosine - whole.cosine * part.sine) / whole.sine);
         to = static_cast<float>(part.sine / whole.sine);
     }
@@ -113,7 +113,7 @@ void prepare_rig(Rig& rig) {
         for (RigTrack& track : clip.tracks) {
             if (track.moves != RigTrack::Moves::rotation || track.between == RigTrack::Between::cubic)
                 continue;
-            track.angles.assign(track.times.size(), 0.0F);
+            track.arcs.assign(track.times.size(), {});
             for (std::size_t i = 0; i < track.times.size(); ++i)
                 normalise(&track.values[4 * i]);
             for (std::size_t i = 1; i < track.times.size(); ++i) {
@@ -126,7 +126,9 @@ void prepare_rig(Rig& rig) {
                 if (cosine < 0.0)
                     for (int k = 0; k < 4; ++k)
                         value[k] = -value[k];
-                track.angles[i - 1] = static_cast<float>(angle_of_cosine(std::min(std::abs(cosine), 1.0)));
+                const double angle = angle_of_cosine(std::min(std::abs(cosine), 1.0));
+                const SinCos whole = sin_cos(angle);
+                track.arcs[i - 1] = {angle, whole.sine, whole.cosine};
             }
         }
     }

@@ -122,7 +122,7 @@ void rig_members(Bytes& bytes, SomeRig& rig) {
             bytes.number(track.between);
             bytes.numbers(track.times);
             bytes.numbers(track.values);
-            bytes.numbers(track.angles);
+            bytes.numbers(track.arcs);
         });
     });
 }

@@ -45,7 +45,10 @@ struct RigTrack {
     std::vector<float> times;  // ascending, seconds; at least one
     // For each time 3 numbers, 4 (rotation) or one per weight; cubic: in-tangent, value, out-tangent.
     std::vector<float> values;
-    std::vector<float> angles;  // [time] of a linear rotation: to the next one, radians; by prepare_rig()
+    struct Arc {
+        double angle = 0.0, sine = 0.0, cosine = 1.0;
+    };
+    std::vector<Arc> arcs;  // [time] of a linear rotation: to the next one; by prepare_rig()
 };
 
 struct Clip {
