@@ -125,9 +125,9 @@ def main(arguments):
                 sys.exit(f"heavy_checks.py: found {wrong[0]}, expected one of {', '.join(by_name)}")
             failed = []
             for check in [by_name[name] for name in names] or CHECKS:
-                known[check.name] = run(check)
-                write(known)
-                failed += [] if known[check.name].passed else [check.name]
+                result = run(check)
+                write({**results(), check.name: result})  # another run may have written meanwhile
+                failed += [] if result.passed else [check.name]
             sys.exit(f"failed: {', '.join(failed)}" if failed else 0)
         case ["due", minutes]:
             end, left = time.monotonic() + 60 * float(minutes), []
