@@ -10,8 +10,8 @@ tables = {"docs/settings.md": [], "docs/commands.md": []}
 names = {}   # what stands as code -> URL from the site's top
 labels = {}  # what stands in italics -> the same
 # How much a section counts in a search, by the beginning of its address: pages for users before records and headers.
-weights = [("docs/symptoms.html", 1.3), ("docs/tutorials", 1.2), ("index.html", 1.1), ("CHANGELOG", 0.4), ("docs/checks", 0.4),
-           ("docs/performance-", 0.5), ("docs/decisions", 0.7), ("docs/design", 0.75), ("NOTICES", 0.4), ("slipface/", 0.35), ("", 1.0)]
+weights = [("docs/symptoms.html", 1.15), ("docs/tutorials", 1.2), ("index.html", 1.1), ("CHANGELOG", 0.4), ("docs/checks", 0.4),
+           ("docs/performance-", 0.5), ("docs/course-table", 0.5), ("docs/measurements", 0.5), ("docs/settings.html#", 0.7), ("docs/commands.html#", 0.9), ("docs/decisions", 0.7), ("docs/design", 0.75), ("NOTICES", 0.4), ("slipface/", 0.25), ("", 1.0)]
 
 
 def read_rows(path):
@@ -160,6 +160,10 @@ def plain(text):
     return html.unescape(re.sub(r"<[^>]*>", " ", text))
 
 
+def weight_of(location):
+    return next(weight for start, weight in weights if location.startswith(start))
+
+
 def on_post_build(config):
     """The index of docs/site/search.js: each section, setting and command once, as plain text."""
     index = pathlib.Path(config["site_dir"]) / "search" / "search_index.json"
@@ -180,9 +184,9 @@ def on_post_build(config):
             sections.append({"location": entry["location"], "title": title, "page": pages[page].get("page", pages[page]["title"]), "text": text})
     for section in sections:
         section.pop("first", None)
-        section["weight"] = next(weight for start, weight in weights if section["location"].startswith(start))
-        if asked := re.match(r"Also asked: (.*?\.) ", section["text"]):
-            section["asked"], section["text"] = asked[1], section["text"][asked.end():]
+        section["weight"] = weight_of(section["location"])
+        if asked := re.search(r"Also asked: (.*?\.)(?: |$)", section["text"]):
+            section["asked"], section["text"] = asked[1], section["text"].replace(asked[0], "")
     # A table of settings or commands is found by its rows alone.
     of_tables = {page.replace(".md", ".html") for page in tables}
     sections = [section for section in sections if section["location"].split("#")[0] not in of_tables or section["location"] in of_tables]
@@ -194,8 +198,9 @@ def on_post_build(config):
             text = plain(row.cells.get("Meaning") or row.cells["What it does"]).replace("\\", "")
             if row.cells.get("Shortcut"):
                 text += f" Key: {row.cells['Shortcut']}."
-            sections.append({"location": page.replace(".md", ".html#") + row.anchor, "title": f"{row.label} ({row.name})", "names": [row.name.lower(), row.label.lower()],
-                             "page": pages[page.replace(".md", ".html")]["title"], "text": text, "weight": 0.9})
+            location = page.replace(".md", ".html#") + row.anchor
+            sections.append({"location": location, "title": f"{row.label} ({row.name})", "names": [row.name.lower(), row.label.lower()],
+                             "page": pages[page.replace(".md", ".html")]["title"], "text": text, "weight": weight_of(location)})
     data["docs"] = sections
     index.write_text(json.dumps(data, ensure_ascii=False))
     # The same for pages that are opened as files, where a page may load a script but not fetch JSON.

@@ -15,7 +15,8 @@
     keep keeps always sometimes every even only really properly correctly weird bug issue problem problems fix fixing use using used add implement
     support feature into onto upon toward towards both controller controllers everything anything something behave behaves behavior behaviour kind go goes going went able
     impossible possible another again still longer anymore while during instead list show tell help thing things lot very
-    let lets make makes making want wants need needs anyone someone please
+    let lets make makes making want wants need needs anyone someone anybody please try tries tried trying happen happens happening seem seems
+    kinematic rigidbody characterbody certain given way ways via per etc am i'm m d my own at all one
     work works working don doesn didn`.split(/\s+/));
 
   // What English does not form by a rule.
@@ -33,15 +34,26 @@
     stair stairs step staircase kerb curb ledge
     seam crack edge internal ghost tile triangle gap join
     ground floor grounded land isgrounded onground
-    platform lift elevator mover raft ferry train cart
-    conveyor belt treadmill
+    platform lift elevator mover raft ferry train cart vehicle car boat ship
+    conveyor belt treadmill walkway escalator travelator
     csharp c# unity
+    gdscript gdextension gdnative godot
+    threejs react javascript typescript npm node babylon browser web
+    blueprint unreal ue4 ue5
+    reinforcement learning agent gym neural python numpy
     turntable rotate spin carousel revolve
     jitter shake vibrate stutter twitch tremble jerk wobble flicker glitch bob bumpy
     update approve accept refresh
     contribute contributing pull request patch change
     security vulnerability exploit
-    regression difference compare
+    regression difference compare comparison versus vs against benchmark
+    jolt physx bullet havok rapier box3d ammo cannon other compare course
+    rest settle sleep still idle
+    draw display visualize visualise debug see
+    limit maximum max cap most
+    report send attach share capsule
+    count number amount million
+    container docker headless offscreen display
     hill cliff mountain
     edge rim ledge border cliff
     bumpy bump bounce
@@ -51,6 +63,7 @@
     fast quick run sprint
     slide glide slip drift creep skid
     ice icy slippery slick frictionless
+    friction mud swamp quicksand sand grass snow grip traction
     bounce trampoline restitution rebound pogo hop
     ladder climb
     sticky adhesive cling
@@ -60,12 +73,13 @@
     wall cliff obstacle barrier
     ceiling roof overhead head
     corner wedge crevice acute
-    deterministic determinism rollback replay repeat bitwise desync netcode lockstep network multiplayer online
-    framerate fps rate tick timestep hz delta
+    deterministic determinism rollback replay repeat bitwise desync netcode lockstep network multiplayer online client server prediction reconciliation
+    deterministic diverge differ mismatch different another compiler architecture arm x86 cpu processor bits
+    framerate fps rate tick timestep hz delta fixedupdate physicsprocess
     speed velocity fast slow momentum
     gravity weight floaty float heavy
     terrain heightfield heightmap landscape
-    origin far precision float large
+    origin far precision float large zero km kilometre kilometer
     install download setup apt package start begin
     tutorial start begin introduction guide lesson walkthrough learn
     unity unreal godot gdextension plugin
@@ -82,13 +96,19 @@
     collider collision hitbox
     material texture name
     type surface physics
-    key shortcut hotkey binding keybinding rebind remap
+    key shortcut hotkey keybinding rebind remap keymap
     obj gltf glb fbx mesh model geometry
     export write convert
     import open load read
+    swap replace exchange switch
+    automatic automated automatically ci unattended
     blender maya modelling modeller
-    spawn start respawn checkpoint
-    crouch duck crawl height radius
+    spawn start respawn checkpoint spawnpoint begin initial
+    crouch duck crawl sneak prone height radius
+    grab hang mantle vault ledge climb pull
+    glide glider parachute hover feather wing
+    dash dodge roll boost lunge
+    hang ledge monkey
     capsule ellipsoid collider body hitbox size radius
     skin margin offset width tolerance
     camera view bookmark
@@ -101,10 +121,12 @@
     one-sided oneway backface
     crowd npc npcs enemy characters
     push shove
-    crush squash squeeze
+    crush squash squeeze pinch flatten smash
+    invisible phantom ghost hidden unseen
     coyote late forgive grace
     buffer early queue
-    jump leap
+    jump leap hop kick spacebar
+    second double twice triple air midair
     variable short tap hold
     air aerial midair airborne
     browser web wasm webassembly html
@@ -147,8 +169,8 @@
   // [stem, where the word begins, where it ends] of each word. A name such as step_up is its words, and StepUp, too.
   function words_of(text) {
     const found = [];
-    for (const { 0: word, index } of text.matchAll(/[Ff]rame[ -]rates?|[cC](?:\+\+|#)|[\p{Lu}\d]?[\p{Ll}\d]+|[\p{Lu}\d]+/gu))
-      found.push([stem(word.toLowerCase().replace(/[ -]/, "")), index, index + word.length]);
+    for (const { 0: word, index } of text.matchAll(/[Ff]rame[ -]rates?|\p{L}+\.js\b|[cC](?:\+\+|#)|[\p{Lu}\d]?[\p{Ll}\d]+|[\p{Lu}\d]+/gu))
+      found.push([stem(word.toLowerCase().replace(/[ .-]/, "")), index, index + word.length]);
     return found;
   }
 
@@ -164,9 +186,9 @@
 
   // How much a word counts in each field, how much another word of its line counts, and how much the beginning of a word does.
   const fields = { title: 5, asked: 3, page: 0.8, text: 1 };
-  const of_synonym = 0.3, of_beginning = 0.6;
+  const of_synonym = 0.2, of_beginning = 0.6;
 
-  const of_wording = 1;
+  const of_wording = 4;
 
   // How alike the typed words and a wording are, 0 to 1; a word of the same line is half as good as the word itself.
   function likeness(typed, wording) {
@@ -174,6 +196,16 @@
     for (const [term, others] of typed)
       common += wording.has(term) ? 1 : [...others].some((other) => wording.has(other)) ? 0.5 : 0;
     return wording.size ? 2 * common / (typed.length + wording.size) : 0;
+  }
+
+  // Whether one letter too many, too few, another, or two in the other order make one word the other.
+  function is_slip(a, b) {
+    if (Math.abs(a.length - b.length) > 1) return false;
+    let at = 0;
+    while (at < a.length && a[at] === b[at]) ++at;
+    const rest = (word, from) => word.slice(from);
+    return rest(a, at + 1) === rest(b, at + 1) || rest(a, at + 1) === rest(b, at) || rest(a, at) === rest(b, at + 1) ||
+      a[at] === b[at + 1] && a[at + 1] === b[at] && rest(a, at + 2) === rest(b, at + 2);
   }
 
   class Search {
@@ -207,6 +239,34 @@
       return Math.log(1 + (this.sections.length - count + 0.5) / (count + 0.5));
     }
 
+    knows(word) {
+      return this.postings.has(word) || related.has(word);
+    }
+
+    // Two words that are known as one: "key bindings", "check point".
+    joined(typed) {
+      const found = [];
+      for (const each of typed) {
+        const before = found[found.length - 1];
+        const both = before && stem(before[0] + each[0]);
+        if (both && each[0].length > 2 && related.has(both)) found[found.length - 1] = [both, before[1], each[2]];
+        else found.push(each);
+      }
+      return found;
+    }
+
+    // A word that no page has is two that are written as one, "autostep", or one with a slip of the finger.
+    known(word) {
+      if (this.knows(word) || word.length < 5) return [word];
+      for (let at = 3; at <= word.length - 3; ++at) {
+        const parts = [word.slice(0, at), word.slice(at)].map(stem);
+        if (parts.every((part) => this.postings.has(part))) return parts;
+      }
+      const near = this.vocabulary.filter((other) => other[0] === word[0] && is_slip(word, other))
+        .sort((a, b) => this.postings.get(b).size - this.postings.get(a).size);
+      return near.length ? [near[0]] : [word];
+    }
+
     // Stems that a typed word stands for, with how much each counts.
     meanings(word, last) {
       const found = new Map([[word, 1]]);
@@ -219,14 +279,16 @@
 
     // Sections, best first: [{ section, score, stems }].
     find(query) {
-      const whole = query.trim().toLowerCase();
-      let typed = words_of(query.replace(/['’]/g, ""));
-      const meant = typed.filter(([, from, to]) => !stop.has(query.replace(/['’]/g, "").slice(from, to).toLowerCase()));
+      const whole = query.trim().toLowerCase(), text = query.replace(/['’]/g, "");
+      let typed = this.joined(words_of(text));
+      const meant = typed.filter(([, from, to]) => !stop.has(text.slice(from, to).toLowerCase()));
       if (meant.length > 0) typed = meant;
-      const terms = [...new Set(typed.map(([word]) => word))];
+      // The last word may be going on.
+      const [last, , end] = typed[typed.length - 1] || [];
+      const open = end === text.length && this.vocabulary.some((other) => other.startsWith(last));
+      const terms = [...new Set(typed.flatMap(([word]) => open && word === last ? [word] : this.known(word)))];
       if (terms.length === 0) return [];
       const of_words = terms.map((term) => [term, related.get(term) || new Set()]);
-      const open = /[\p{L}\d]$/u.test(query);
       const scores = new Map(); // section -> [score of each term]
       terms.forEach((term, at) => {
         const meanings = this.meanings(term, open && at === terms.length - 1);

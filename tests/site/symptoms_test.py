@@ -42,7 +42,7 @@ for line in (source / "docs/commands.md").read_text().splitlines():
 strings = "\n".join(path.read_text() for folder in ("engine/sim", "engine/movement", "engine/doctor", "editor")
                     for path in (source / folder).rglob("*") if path.suffix in (".cpp", ".inc", ".h"))
 strings = re.sub(r'"\s*\n\s*"', "", strings)
-demos = set(re.findall(r'^    \{"([\w-]+)", "\w+",', "".join(p.read_text() for p in (source / "engine/scenes").glob("demos_*.cpp")), re.M))
+demos = set(re.findall(r'^    \{"([\w-]+)",\s+"\w+",', "".join(p.read_text() for p in (source / "engine/scenes").glob("demos_*.cpp")), re.M))
 enums = {"step_form", "push_out", "leave_mode"}
 
 
