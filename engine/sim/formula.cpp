@@ -124,17 +124,18 @@ std::vector<FormulaNumber> formula_numbers(const FormulaInfo& formula, const Tic
                    (next == '.' || next == '\'' || next == 'x' || next == 'y' || next == 'z');
         });
     };
-    std::vector<FormulaNumber> numbers;
+    std::vector<FormulaNumber> numbers{{"V", vector_of(before, unit)}};
     const auto add = [&](const char* symbol, const std::string& text) {
         if (has(symbol)) numbers.push_back({symbol, text});
     };
-    add("V", vector_of(before, unit));
     if (act->normal) {
-        add("N", vector_of(*act->normal, ""));
+        numbers.push_back({"N", vector_of(*act->normal, "")});
         add("N.y", number_of(act->normal->y(), ""));
-        add("N.V", number_of(act->normal->dot(before), unit));
+        numbers.push_back({"N.V", number_of(act->normal->dot(before), unit)});
+    } else {
+        numbers.push_back({"N", "no contact"});
     }
-    add("V'", vector_of(after, unit));
+    numbers.push_back({"V'", vector_of(after, unit)});
     add("E", vector_of(act->push != nullptr ? act->push->from : trace.from, "m"));
     add("E'", vector_of(act->push != nullptr ? act->push->to : trace.to, "m"));
     if (act->push != nullptr) add("C", vector_of(act->push->to - act->push->from, "m"));

@@ -55,22 +55,22 @@ Numbers numbers_of(const char* demo) {
 constexpr double rounding = 0.03;
 
 TEST(Formulas, HaveNumbersInEveryDemo) {
-    std::size_t formulas = 0;
+    std::size_t touching = 0;
     for (const DemoInfo& info : demo_table()) {
         SCOPED_TRACE(info.name);
+        ASSERT_NE(formula_of(info), nullptr);
         const Numbers numbers = numbers_of(info);
-        const bool has_formula = formula_of(info) != nullptr;
-        EXPECT_EQ(!numbers.all.empty(), has_formula);
-        formulas += has_formula ? 1 : 0;
-        if (numbers.has("N")) {
-            EXPECT_NEAR(numbers.vector("N").norm(), 1.0, rounding);
-        }
+        for (const char* symbol : {"V", "N", "V'"})
+            EXPECT_TRUE(numbers.has(symbol)) << symbol;
         if (numbers.has("N.V")) {
+            ++touching;
+            EXPECT_NEAR(numbers.vector("N").norm(), 1.0, rounding);
             EXPECT_NEAR(numbers.number("N.V"), numbers.vector("N").dot(numbers.vector("V")),
                         rounding * (1.0 + numbers.vector("V").norm()));
         }
     }
-    EXPECT_GE(100 * formulas, 97 * demo_table().size());
+    // In the others nothing is touched: jumps in the air, dash, glide.
+    EXPECT_GT(2 * touching, demo_table().size());
 }
 
 TEST(Formulas, AreOfSettingsThatExistAndActOnce) {

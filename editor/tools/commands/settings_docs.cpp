@@ -28,9 +28,13 @@ std::string with_unit(const std::string& number, std::string_view unit) {
 std::string settings_markdown() {
     std::string text =
         "# Settings\n\n"
-        "Made from the settings table. The editor's movement panel, `--set name=value`, level files and "
-        "tapes use the same "
-        "rows. Angles are shown in degrees here and in the editor; files and `--set` hold radians.\n\n"
+        "**What it is.** Every movement setting, button and parameter of surface types, from the "
+        "tables that the program uses.\n\n"
+        "**How you use it.** In the editor's movement panel, by `--set name=value`, in level files "
+        "and tapes. Angles are shown in degrees here and in the editor; files and `--set` hold "
+        "radians.\n\n"
+        "**What it costs.** The last two columns say what goes wrong with too small and too large a "
+        "value.\n\n"
         "## Movement\n";
     const MovementSettings defaults;
     std::string_view group;

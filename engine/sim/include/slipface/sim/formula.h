@@ -15,10 +15,10 @@ struct FormulaNumber {
     std::string symbol, text;
 };
 
-// The numbers of all symbols in the formula that the tick has: V and its dash, before and after the response,
-// in m/s where the velocity changed, else the displacement in m; N, the normal of the contact that decided;
-// E, the position; then the settings. The formula of a setting that is no hack is about the last response of
-// the tick. Empty: the hack did not act in the tick, or nothing responded.
+// V and its dash, before and after the response, in m/s where the velocity changed, else the displacement in
+// m; N, the normal of the contact that decided, or that there was none, and N.V; then the other symbols of
+// the formula: E, the position, and settings. The formula of a setting that is no hack is about the last
+// response of the tick. Empty: the hack did not act in the tick, or nothing responded.
 std::vector<FormulaNumber> formula_numbers(const FormulaInfo& formula, const TickTrace& trace,
                                            const StoryNames& names);
 
