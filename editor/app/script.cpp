@@ -303,12 +303,14 @@ std::span<const ScriptVerb> script_verbs() {
 std::string script_verbs_markdown() {
     std::string text =
         "# Scripts\n\n"
-        "`slipface edit LEVEL --headless --script FILE --screenshot OUT.png` drives the editor off-screen. "
-        "One verb a line; "
-        "`#` begins a comment; words with spaces stand in double quotes. Widgets are named by their path; an "
-        "error "
-        "lists the nearest ones. A line that cannot write what it should, such as a save on a full disk, "
-        "ends the script with exit code 2, unless the next line is `expect message`.\n\n"
+        "**What it is.** A text that uses the editor as a person does, without a window: for tests, images "
+        "and films.\n\n"
+        "**How you use it.** `slipface edit LEVEL --headless --script FILE --screenshot OUT.png`. One verb a "
+        "line; `#` begins a comment; words with spaces stand in double quotes. Widgets are named by their "
+        "path; an error lists the nearest ones.\n\n"
+        "**What it costs.** A second or two for each script. A line that cannot write what it should, such "
+        "as "
+        "a save on a full disk, ends it with exit code 2, unless the next line is `expect message`.\n\n"
         "| verb | arguments | what it does |\n|---|---|---|\n";
     for (const ScriptVerb& verb : verbs) {
         std::string arguments = verb.arguments;

@@ -184,8 +184,10 @@ std::vector<ManualPage> manual_pages(const CLI::App& app, const std::string& ver
 
 std::string command_line_markdown(const CLI::App& app) {
     std::string text =
-        "# The command line\n\nMade from the options that the program reads. `slipface VERB --help` prints "
-        "the same.\n\n"
+        "# The command line\n\n"
+        "**What it is.** Every verb of the program with its options, from what it reads.\n\n"
+        "**How you use it.** `slipface VERB --help` prints the same.\n\n"
+        "**What it costs.** No display and no network; each verb says what it writes.\n\n"
         "| Verb | What it does |\n| --- | --- |\n";
     for (const CLI::App* verb : listed_verbs(app))
         text +=
