@@ -61,6 +61,7 @@ EM_JS(void, show_title, (const char* title), { document.title = UTF8ToString(tit
 EM_JS(void, show_cursor, (const char* name),
       { document.getElementById("canvas").style.cursor = UTF8ToString(name); });
 EM_JS(void, copy_text, (const char* text), { Slipface.copy(UTF8ToString(text)); });
+EM_JS(void, show_symptom, (const char* title), { Slipface.read(UTF8ToString(title)); });
 EM_JS(void, page_ended, (), { Slipface.ended(); });
 EM_JS(void, first_frame_shown, (), { Slipface.shown(); });
 EM_JS(void, canvas_size, (int* width, int* height, double* scale), {
@@ -309,6 +310,7 @@ Status start_page(const PageOptions& options) {
         app.config = options.home / ".config";
         app.state = options.home / ".state";
     }
+    app.show_symptom = [](const std::string& title) { show_symptom(title.c_str()); };
     self.scale = options.scale;
     // Without `wake` work is done at once.
     if (page_suspends_calls() != 0) app.wake = page_needs_frames;

@@ -262,6 +262,10 @@ void App::build_frame(int width, int height, double seconds) {
         if (!self.attempt([&] { dialogs(self.parts); })) recovery.recover();
     }
     if (self.editor.clipboard) ImGui::SetClipboardText(std::exchange(self.editor.clipboard, {})->c_str());
+    if (const auto symptom = std::exchange(self.editor.symptom, {})) {
+        self.editor.status = "docs/symptoms.md: " + *symptom;
+        if (self.options.show_symptom) self.options.show_symptom(*symptom);
+    }
     ImGui::Render();
     ui::end_widget_frame();
     self.window_opened = false;

@@ -24,6 +24,8 @@ struct AppOptions {
     std::size_t draft_from = std::numeric_limits<std::size_t>::max();
     // Called from threads when there is something new to show; empty: callers wait.
     std::function<void()> wake;
+    // Shows a section of docs/symptoms.md; empty: the status line names it.
+    std::function<void(const std::string& title)> show_symptom;
 };
 
 // A key press, for shortcuts. Text and navigation keys reach Dear ImGui by themselves.

@@ -19,6 +19,9 @@
 #include "app/app.h"
 #include "app/glfw_keys.h"
 #include "app/parts.h"
+#include "document/folders.h"
+#include "process/process.h"
+#include "slipface/base/text.h"
 #include "tools/lab/link.h"
 #include "tools/review/review.h"
 #include "widgets/ui.h"
@@ -313,6 +316,24 @@ struct Library {
     ~Library() { glfwTerminate(); }
 };
 
+// Opens docs/symptoms.md at a section, as a page of the site if it was built, in the user's own program.
+void show_symptom(const std::string& title) {
+    const std::filesystem::path beside = data_folder().parent_path();
+    std::error_code error;
+    for (const char* name : {"out/site/docs/symptoms.html", "docs/symptoms.md", "doc/Slipface/symptoms.md",
+                             "doc/slipface/symptoms.md"}) {
+        if (!std::filesystem::exists(beside / name, error)) continue;
+        std::string anchor;
+        for (const char c : to_lower(title))
+            if (c != ',') anchor += c == ' ' ? '-' : c;
+        const auto opened = start_process({.words = {"-c", "xdg-open \"$0\" >/dev/null 2>&1 &",
+                                                     "file://" + (beside / name).string() + "#" + anchor},
+                                           .program = "sh"});
+        if (opened) wait_for(*opened);
+        return;
+    }
+}
+
 }  // namespace
 
 Status run_window(const WindowOptions& options) {
@@ -356,6 +377,7 @@ Status run_window(const WindowOptions& options) {
         app_options.state = options.state;
         app_options.draft_from = draft_from;
         app_options.wake = glfwPostEmptyEvent;  // may be called from any thread
+        app_options.show_symptom = show_symptom;
         App app(app_options);
         ImGui_ImplGlfw_InitForOpenGL(window.handle, true);
         window.app = &app;

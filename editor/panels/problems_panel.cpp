@@ -96,6 +96,7 @@ bool row(const std::string& id, const std::string& name, const std::string& text
 void open_row(Editor& editor, const Problem& problem) {
     ImGui::Indent(8 * ui::scale());
     ui::muted_text(info_of(problem.kind).remedy);
+    symptom_button(editor, info_of(problem.kind).symptom);
     if (const std::string label = fix_label(editor, problem); !label.empty()) {
         if (ui::button((label + "###Fix").c_str(), "One step of history; the geometry does not change"))
             fix_problem(editor, problem);

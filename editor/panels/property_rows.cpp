@@ -160,4 +160,9 @@ void fact(const char* name, const std::string& value, float wanted) {
     ImGui::PopTextWrapPos();
 }
 
+void symptom_button(Editor& editor, const char* title) {
+    const std::string tip = std::string("Symptoms and cures: ") + title;
+    if (ui::button("Read more", tip.c_str())) editor.symptom = title;
+}
+
 }  // namespace slipface

@@ -35,6 +35,9 @@ std::string range_text(double minimum, double maximum, const char* unit);
 // Upper case for a row's label: "iterative" becomes "Iterative".
 std::string sentence_case(std::string text);
 
+// A button to the section of docs/symptoms.md with this title.
+void symptom_button(Editor& editor, const char* title);
+
 // A name at the left and a wrapped value next to it. Facts that are listed together take the same `column`,
 // that of their longest name (fact_column), so that their values are aligned.
 void fact(const char* name, const std::string& value, float column = 0.0f);

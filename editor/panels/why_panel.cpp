@@ -64,6 +64,8 @@ void headline(Editor& editor, const Stop* stop) {
         ImGui::SameLine();
     }
     if (ui::button("Look there", "Move the camera there")) go_to_stop(editor, *stop);
+    ui::flow(ui::button_width("Read more"));
+    symptom_button(editor, symptom_of(*stop));
 }
 
 // A row of a list: when, and what. True if it was clicked.

@@ -182,6 +182,8 @@ struct Editor {
     std::string status;  // the last action, for the status bar
     // Text that the app copies to the clipboard at the end of the frame.
     std::optional<std::string> clipboard;
+    // The title of a section of docs/symptoms.md that the host shows at the end of the frame.
+    std::optional<std::string> symptom;
     bool quit = false;  // the host ends after this frame
 
     // The last result of tool_faces(), valid until one of its inputs changes.

@@ -15,44 +15,51 @@ constexpr ProblemKindInfo kinds[] = {
     {ProblemKind::t_junction, "t_junction", "T-junctions",
      "A corner lies in the middle of another face's edge, so the two faces share no edge. Fill stops there, "
      "and single pixels of the background may show; the player does not catch on it",
-     "Give the longer edge a vertex there in the modelling tool"},
+     "Give the longer edge a vertex there in the modelling tool", "Player sticks on seams between triangles"},
     {ProblemKind::crack, "crack", "Gaps",
      "Two faces that look like one surface leave a gap narrower than the player. Each entry says what it "
      "does to a player who walks over it",
-     "Merge the vertices by distance in the modelling tool, or fill the gap with a face"},
+     "Merge the vertices by distance in the modelling tool, or fill the gap with a face",
+     "Player sticks on seams between triangles"},
     {ProblemKind::sliver, "sliver", "Slivers",
      "A triangle is so thin that rounding rotates its normal by 0.2 degrees or more",
-     "Dissolve the face or move its corners in the modelling tool"},
+     "Dissolve the face or move its corners in the modelling tool",
+     "Player sticks on seams between triangles"},
     {ProblemKind::duplicate, "duplicate", "Duplicate faces",
      "Two faces have the same corners and the same front side, or different surface types: it is arbitrary "
      "which type counts. The two sides of a thin object are not reported",
-     "Delete one in the modelling tool; here both can be given one type"},
+     "Delete one in the modelling tool; here both can be given one type", "Painted faces have no effect"},
     {ProblemKind::overlap, "overlap", "Overlapping faces",
      "Two faces with the same front side overlap in one plane: they flicker, and it is arbitrary which type "
      "counts",
-     "Cut or move one in the modelling tool; here both can be given one type"},
+     "Cut or move one in the modelling tool; here both can be given one type",
+     "Painted faces have no effect"},
     {ProblemKind::flipped, "flipped", "Flipped faces",
      "The face is wound against its neighbours: one-sided types act on the wrong side of it",
-     "Recalculate the normals in the modelling tool"},
+     "Recalculate the normals in the modelling tool",
+     "Walls are invisible from outside, or the level looks inside out"},
     {ProblemKind::acute_corner, "acute_corner", "Acute corners",
      "A player who is pushed into the corner cannot leave it in any direction (simulated with the level's "
      "settings)",
-     "Fill the corner with an invisible face, or use the analytic push-out"},
+     "Fill the corner with an invisible face, or use the analytic push-out", "Player gets stuck in a corner"},
     {ProblemKind::slope_limit, "slope_limit", "Ramps too steep",
      "A ramp from one floor to a higher one is steeper than the maximum slope by at most 5 degrees, or "
      "within "
      "0.1 degrees of it: tried with the level's settings, the player does not get up, or rounding decides",
-     "Make it flatter, raise Maximum slope, or give it a type with its own slope limit"},
+     "Make it flatter, raise Maximum slope, or give it a type with its own slope limit",
+     "Player cannot walk up a slope"},
     {ProblemKind::step_limit, "step_limit", "Steps too high",
      "A stair, kerb or ledge of at most a quarter of the body's height stops the player (simulated with the "
      "level's settings)",
-     "Turn on Step up or raise Step height, or make the step lower"},
+     "Turn on Step up or raise Step height, or make the step lower", "One step of the stairs is too high"},
     {ProblemKind::orphan, "orphan", "Orphans",
      "A painted face is no longer in the file. Its paint is stored until you attach or delete it",
-     "Attach it to the face that replaces it, or delete it"},
+     "Attach it to the face that replaces it, or delete it",
+     "Paint is gone after the model was exported again"},
     {ProblemKind::missing_texture, "missing_texture", "Missing textures",
      "The texture of a material does not exist; a checkerboard is drawn instead",
-     "Put the image file next to the level, or change the material's map_Kd"},
+     "Put the image file next to the level, or change the material's map_Kd",
+     "Walls are invisible from outside, or the level looks inside out"},
 };
 static_assert(std::size(kinds) == problem_kind_count);
 

@@ -7,11 +7,44 @@
 
 namespace slipface {
 
+namespace {
+
+struct CauseInfo {
+    const char* name;
+    const char* symptom;
+};
+// In the order of the enum.
+constexpr std::array<CauseInfo, 17> causes{{
+    {"wall", "Player sticks to walls"},
+    {"back", "An invisible wall blocks the player"},
+    {"step", "Player cannot climb stairs"},
+    {"slope", "Player cannot walk up a slope"},
+    {"overhead", "Player does not fit through a door"},
+    {"gap", "Player is wedged between two walls"},
+    {"corner", "Player gets stuck in a corner"},
+    {"sticky", "Player hangs on a wall or ceiling and does not let go"},
+    {"carried", "Conveyor belt does not carry the player"},
+    {"slippery", "Slope is too slippery to walk up"},
+    {"platform", "Player is crushed by a platform"},
+    {"ladder end", "Player gets stuck at the top of a ladder"},
+    {"inside", "Player spawns inside a wall and cannot move"},
+    {"terrain", "Player cannot walk up a slope"},
+    {"hazard", "Lava or spikes do not kill the player"},
+    {"crushed", "Player is crushed by a platform"},
+    {"fall", "Player falls out of the level"},
+}};
+
+}  // namespace
+
 const char* stop_cause_name(StopCause cause) {
-    static constexpr std::array<const char*, 17> names{
-        "wall",     "back",     "step",       "slope",  "overhead", "gap",    "corner",  "sticky", "carried",
-        "slippery", "platform", "ladder end", "inside", "terrain",  "hazard", "crushed", "fall"};
-    return names[static_cast<std::size_t>(cause)];
+    return causes[static_cast<std::size_t>(cause)].name;
+}
+
+const char* symptom_of(const Stop& stop) {
+    if (stop.fall == FallCause::not_solid || stop.fall == FallCause::one_sided)
+        return "Player falls through the floor";
+    if (stop.fall == FallCause::too_short) return "Gap is too wide to jump";
+    return causes[static_cast<std::size_t>(stop.loss.cause)].symptom;
 }
 
 // A wall that took less of the motion was slid along.

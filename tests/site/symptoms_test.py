@@ -99,6 +99,14 @@ for section in sections:
     check(title, demo and demo[1] in demos, f"there is no demo {demo[1] if demo else parts.get('Demo')}")
     check_words(title, body.replace(picture[0], "") if picture else body)
 
+# What Why and the doctor lead to.
+titles = {section.split("\n", 1)[0] for section in sections}
+linked = re.findall(r'(?:^    \{"[\w ]+", |return )"([A-Z][^"]+)"[};]', (source / "engine/sim/stop_headline.cpp").read_text(), re.M) + re.findall(
+    r'"([^"]+)"\},\n', (source / "engine/doctor/doctor.cpp").read_text().split("};\nstatic_assert")[0])
+check("the program", len(linked) >= 17 + 11, f"{len(linked)} causes and problems lead here")
+for title in linked:
+    check("the program", title in titles, f'"{title}" is no section of the page')
+
 check("the page", len(sections) >= 60, f"{len(sections)} sections, expected 60")
 check("the tables", len(settings) > 40 and len(labels) > 200 and len(demos) > 20, "too few settings, commands or demos were found")
 for failure in failures:

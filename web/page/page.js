@@ -224,6 +224,8 @@ const Slipface = {
   begin_call(call) { WebAssembly.promising(Module.asm.slipface_call)(call).catch((error) => keep_after_failure(error.message)); },
   turn() { return new Promise((done) => { turns.push(done); channel.port2.postMessage(null); }); },
   copy(text) { navigator.clipboard.writeText(text).catch(() => say("The browser does not let this page copy", true)); },
+  // In the documents as a site this page lies beside them.
+  read(title) { open("../docs/symptoms.html#" + title.toLowerCase().replace(/[^a-z0-9 -]/g, "").replace(/ /g, "-"), "_blank"); },
   shown() {
     cover("");
     performance.mark("slipface first picture");

@@ -38,6 +38,7 @@ struct ProblemKindInfo {
     const char* label;    // "T-junctions"
     const char* meaning;  // what it is and how it affects a player
     const char* remedy;   // how to fix it, in the modelling tool or in Slipface
+    const char* symptom;  // the title of its section in docs/symptoms.md
 };
 std::span<const ProblemKindInfo> problem_kinds();  // in the order of the enum
 const ProblemKindInfo& info_of(ProblemKind kind);

@@ -97,6 +97,9 @@ std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const L
 // The same from the traces alone, without trying: for counting.
 std::vector<Stop> count_stops(const TickScene& scene, const TapeRun& run, const StoryNames& names);
 
+// The title of the stop's section in docs/symptoms.md.
+const char* symptom_of(const Stop& stop);
+
 // The stop to look at first: the last one, or the first after which the tape goes on blindly; null if there
 // is none.
 const Stop* headline_stop(std::span<const Stop> stops);
