@@ -134,13 +134,14 @@ EMSCRIPTEN_KEEPALIVE void slipface_set(const char* assignment) {
     slipface::page_needs_frames();
 }
 
-// The switch of a demo's hack: "step_up=on"; empty: there is no such demo, or no level.
+// The switch of a demo's hack: "step_up=on"; empty: there is no such demo, it has no
+// switch, or there is no level.
 EMSCRIPTEN_KEEPALIVE const char* slipface_switch(const char* demo) {
     slipface::App* const app = slipface::page_app();
     const slipface::DemoInfo* const info = slipface::find_demo(demo);
     if (app == nullptr || info == nullptr || !app->editor().document) return slipface::answer("");
     for (const slipface::SettingInfo& row : slipface::settings_table())
-        if (std::string_view(row.name) == info->hack)
+        if (std::string_view(row.name) == info->hack && slipface::is_switch(row))
             return slipface::answer(fmt::format(
                 "{}={}", row.name, slipface::setting_text(app->editor().document->level().movement, row)));
     return slipface::answer("");

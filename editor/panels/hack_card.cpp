@@ -29,8 +29,9 @@ const TapeRun* live_run(const Editor& editor) {
 
 void effect_rows(Editor& editor, const SettingInfo& info) {
     const std::optional<std::size_t> row = hack_row(info.name);
+    if (!row) return;
     const TapeRun* run = live_run(editor);
-    if (!row || !run) {
+    if (!run) {
         ui::muted_text("Walk the level to see in how many ticks this hack acted.");
         return;
     }
@@ -277,6 +278,18 @@ void hack_cell(Editor& editor, FrameContext& frame, const SettingInfo& info) {
     card(editor, frame, demo == nullptr ? info : *find_setting(demo->hack), demo);
     if (demo != nullptr) turned_to = order_buttons(turned_to);
     ui::end(ImGui::EndPopup);
+}
+
+void card_panel(Editor& editor, FrameContext& frame) {
+    const ui::Scope scope("Card");
+    const DemoInfo* const demo = shown_demo(editor);
+    if (demo != nullptr)
+        card(editor, frame, *find_setting(demo->hack), demo);
+    else
+        ui::muted_text("Lab > Demos opens a demo, and this is its card");
+    const int shown = demo != nullptr ? static_cast<int>(demo - demo_table().data()) : -1;
+    if (const int next = order_buttons(shown); next != shown)
+        open_demo(editor, demo_table()[static_cast<std::size_t>(next)]);
 }
 
 }  // namespace slipface

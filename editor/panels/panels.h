@@ -63,12 +63,13 @@ void inspector_panel(Editor& editor);                      // the hovered or sel
 void history_panel(Editor& editor);
 void warnings_panel(Editor& editor);
 void review_panel(Editor& editor);
-void problems_panel(Editor& editor);  // what the mesh doctor found
-void why_panel(Editor& editor);       // the story of the lab's tick
-void ghosts_panel(Editor& editor);    // the lab's runs, and the route at other rates
-void timeline_panel(Editor& editor);  // the lab's tape
-void inputs_panel(Editor& editor);    // the tape as text, to be typed in
-void plots_panel(Editor& editor);     // the lab's runs as curves
+void problems_panel(Editor& editor);                   // what the mesh doctor found
+void why_panel(Editor& editor);                        // the story of the lab's tick
+void ghosts_panel(Editor& editor);                     // the lab's runs, and the route at other rates
+void timeline_panel(Editor& editor);                   // the lab's tape
+void card_panel(Editor& editor, FrameContext& frame);  // of the open demo
+void inputs_panel(Editor& editor);                     // the tape as text, to be typed in
+void plots_panel(Editor& editor);                      // the lab's runs as curves
 void audit_panel(Editor& editor, FrameContext& frame);
 void reach_panel(Editor& editor, FrameContext& frame);
 

@@ -108,24 +108,26 @@ Vec3 project(const Camera& camera, const Vec3& point, const Vec2& viewport_size)
     return {0.5 * (x + 1.0) * viewport_size.x(), 0.5 * (1.0 - y) * viewport_size.y(), depth};
 }
 
-// The eye is shifted sideways as well as back: with perspective the middle of the box is not in the middle of
-// its image. For each axis with half-angle tangent t, both |x - shift| <= (d - z) t must hold for every
-// corner, which gives d = (A + B) / 2t and shift = (A - B) / 2 with A = max(x + z t), B = max(-x + z t).
-Camera frame_bounds(const Aabb& bounds, double yaw, double pitch, double fov_y, double aspect) {
-    const Aabb box = usable_bounds(bounds);
+// The eye is shifted sideways as well as back: with perspective the middle of the points is not in the middle
+// of their image. For each axis with half-angle tangent t, both |x - shift| <= (d - z) t must hold for every
+// point, which gives d = (A + B) / 2t and shift = (A - B) / 2 with A = max(x + z t), B = max(-x + z t).
+Camera frame_points(std::span<const Vec3> points, double yaw, double pitch, double fov_y, double aspect) {
+    Aabb box;
+    for (const Vec3& point : points)
+        box.add(point);
     Camera camera;
     camera.fov_y = fov_y;
     camera.target = box.centre();
     const Vec3 direction(std::cos(pitch) * std::sin(yaw), std::sin(pitch), std::cos(pitch) * std::cos(yaw));
-    camera.eye = camera.target + direction * box.size().norm();
+    camera.eye = camera.target + direction * std::max(1.0, box.size().norm());
     const Axes axes = camera_axes(camera);
 
     const double tangent_y = std::tan(0.5 * fov_y) / margin;
     const double tangent_x = tangent_y * aspect;
     constexpr double lowest = -std::numeric_limits<double>::infinity();
     double right = lowest, left = lowest, top = lowest, bottom = lowest, deepest = lowest;
-    for (const Vec3& corner : corners(box)) {
-        const Vec3 offset = corner - box.centre();
+    for (const Vec3& point : points) {
+        const Vec3 offset = point - box.centre();
         const double x = axes.right.dot(offset), y = axes.up.dot(offset), z = axes.back.dot(offset);
         right = std::max(right, x + z * tangent_x);
         left = std::max(left, -x + z * tangent_x);
@@ -139,6 +141,10 @@ Camera frame_bounds(const Aabb& bounds, double yaw, double pitch, double fov_y, 
     camera.near_plane = 1e-3 * distance;
     camera.far_plane = 20.0 * (distance + deepest);
     return camera;
+}
+
+Camera frame_bounds(const Aabb& bounds, double yaw, double pitch, double fov_y, double aspect) {
+    return frame_points(corners(usable_bounds(bounds)), yaw, pitch, fov_y, aspect);
 }
 
 std::optional<Camera> named_view(std::string_view name, const Aabb& bounds, double aspect) {

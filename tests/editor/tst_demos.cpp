@@ -3,6 +3,9 @@
 
 #include "app_fixture.h"
 #include "slipface/scenes/demo.h"
+#include "slipface/view/camera.h"
+#include "tools/commands/commands.h"
+#include "tools/commands/fuzzy.h"
 #include "tools/lab/lab_actions.h"
 
 namespace slipface {
@@ -140,6 +143,62 @@ TEST_F(DemoScenes, ShowTheirDifference) {
         show();
         ASSERT_EQ(shown_level(), info.name);
         EXPECT_EQ(run("finish\nexpect parts 2 yes"), "");
+    }
+}
+
+// The menu has the lecture's order, first half first; a demo plays from its first tick to its last, with its
+// card beside it, which leads to the next.
+TEST_F(DemoScenes, PlayAtOnceInTheMenusOrder) {
+    std::vector<std::string> listed;
+    for (const Command& command : commands())
+        if (std::string_view(command.menu) == "Lab/Demos") listed.emplace_back(command.label);
+    ASSERT_EQ(listed.size(), demo_table().size());
+    EXPECT_STREQ(find_commands(editor(), "step up").front()->id, "movement.step_up") << "the switch first";
+    EXPECT_EQ(listed.front(), "Bounce scalar");
+    EXPECT_EQ(listed[7], "Static friction");
+    for (std::size_t i = 0; i < listed.size(); ++i)
+        EXPECT_EQ(listed[i], demo_table()[i].title);
+
+    ASSERT_EQ(run("menu \"Lab/Demos/Bounce scalar\""), "");
+    EXPECT_EQ(shown_demo(editor()), find_demo("bounce-scalar"));
+    EXPECT_EQ(editor().lab.motion, LabMotion::forward);
+    const std::size_t before = editor().lab.cursor();
+    EXPECT_LT(before, 150u);
+    ASSERT_EQ(run("wait 20"), "");
+    EXPECT_GT(editor().lab.cursor(), before + 10);
+    ASSERT_EQ(run("wait 400"), "");
+    EXPECT_EQ(editor().lab.motion, LabMotion::paused);
+    EXPECT_EQ(editor().lab.cursor() + 1, editor().lab.ticks());
+    ASSERT_EQ(run("click \"Card/Next\""), "");
+    EXPECT_EQ(shown_demo(editor()), find_demo("one-slide"));
+}
+
+// The players of all runs are in the view, as far as they are in the level, and reach across it one way.
+TEST_F(DemoScenes, FillTheView) {
+    for (const DemoInfo& info : demo_table()) {
+        SCOPED_TRACE(info.name);
+        demo = &info;
+        show();
+        const Camera camera = editor().view.camera();
+        const Vec2 size(editor().view_aspect, 1.0);
+        const Aabb level = document().collision().bounds();
+        const Vec3 body = document().level().movement.radii;
+        Vec2 low(1.0, 1.0), high(0.0, 0.0);
+        for (const LabRun& each : editor().lab.runs())
+            for (const TickSample& sample : each.run.samples())
+                for (int side = 0; side < 6; ++side) {
+                    Vec3 at = sample.position;
+                    at[side / 2] += (side % 2 == 0 ? 1.0 : -1.0) * body[side / 2];
+                    at = at.cwiseMax(level.min - body).cwiseMin(level.max + 3.0 * body);
+                    const Vec3 pixel = project(camera, at, size);
+                    ASSERT_GT(pixel.z(), 0.0);
+                    const Vec2 fraction(pixel.x() / size.x(), pixel.y());
+                    low = low.cwiseMin(fraction);
+                    high = high.cwiseMax(fraction);
+                }
+        EXPECT_GE(low.minCoeff(), 0.0);
+        EXPECT_LE(high.maxCoeff(), 1.0);
+        EXPECT_GT((high - low).maxCoeff(), 0.6) << "a small scene";
     }
 }
 

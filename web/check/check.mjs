@@ -246,7 +246,7 @@ async function loses_nothing() {
 async function compares() {
   const views = [
     ["scene", "level=easy&camera=-5.2,6.4,10.2,1.6,1.2,-14&only=view", 0.02],
-    ["ui", "demo=step-up&only=movement", 0.01],
+    ["ui", "level=easy&camera=-5.2,6.4,10.2,1.6,1.2,-14&only=movement", 0.01],
   ];
   await elsewhere(async (you) => {
     for (const [profile, link, limit] of views) {

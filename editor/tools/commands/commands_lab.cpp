@@ -1,4 +1,5 @@
 // Commands of the movement lab.
+#include "slipface/scenes/demo.h"
 #include "tools/commands/command_actions.h"
 #include "tools/commands/command_rows.h"
 #include "tools/commands/icons.h"
@@ -10,8 +11,21 @@ namespace slipface {
 using namespace command_actions;
 using namespace lab_actions;
 
+namespace {
+
+// One for each demo, in the lecture's order.
+void add_demo_commands(std::vector<Command>& rows) {
+    for (const DemoInfo& info : demo_table())
+        rows.push_back({lasting(std::string("lab.demo.") + info.name), "", info.title, "Lab/Demos",
+                        info.problem, "demo lecture course hack card scene exercise example", no_key(),
+                        always, [&info](const Editor& e) { return shown_demo(e) == &info; },
+                        [&info](Editor& e) { open_demo(e, info); }});
+}
+
+}  // namespace
+
 std::vector<Command> lab_commands() {
-    return {
+    std::vector<Command> rows{
         {"tools.clear_probe", icons::trash, "Clear probe", "Tools", "Remove the sweep probe", "remove delete",
          key("Delete"), probe_is_placed, nullptr, clear_probe},
         {"tools.copy_probe_command", icons::copy, "Copy probe's command", "Tools",
@@ -112,6 +126,8 @@ std::vector<Command> lab_commands() {
          "--check",
          "reach never within test", no_key(), has_document, nullptr, add_goal},
     };
+    add_demo_commands(rows);
+    return rows;
 }
 
 }  // namespace slipface

@@ -12,10 +12,11 @@ namespace slipface {
 std::string commands_markdown() {
     std::string text =
         "# Commands\n\n"
-        "Made from the command table. Menus, the toolbar, tooltips and scripts use the same rows; scripts "
-        "name a command "
-        "by its id.\n\n"
-        "Shortcuts go by the letter on the key. W A S D Q E fly while the right mouse button is down.\n\n";
+        "**What it is.** Every command of the editor, from the table that makes menus, toolbar, keys "
+        "and tooltips.\n\n"
+        "**How you use it.** By menu or key, by name with Ctrl+P, in scripts by its id. Shortcuts go "
+        "by the letter on the key. W A S D Q E fly while the right mouse button is down.\n\n"
+        "**What it costs.** A command that changes the level is one step of undo.\n\n";
     std::vector<std::string_view> menus;
     for (const Command& command : commands())
         if (std::find(menus.begin(), menus.end(), command.menu) == menus.end()) menus.push_back(command.menu);

@@ -1,4 +1,6 @@
 // Opening the demo scene of a hack.
+#include <algorithm>
+
 #include "slipface/base/files.h"
 #include "slipface/base/temporary_folder.h"
 #include "slipface/scenes/demo.h"
@@ -52,22 +54,37 @@ Result<fs::path> demo_files(const DemoInfo& info) {
 void fill_view(Editor& editor, const CameraBookmark& camera) {
     const Vec3 body = editor.document->level().movement.radii;
     const Aabb level = editor.document->collision().bounds();
-    Aabb paths;
+    std::vector<Vec3> paths;
     for (const LabRun& run : editor.lab.runs())
-        for (const TickSample& sample : run.run.samples()) {
-            paths.add((sample.position - body).cwiseMin(level.max).cwiseMax(level.min - body));
-            paths.add((sample.position + body).cwiseMin(level.max + 3.0 * body).cwiseMax(level.min));
-        }
+        for (const TickSample& sample : run.run.samples())
+            for (int corner = 0; corner < 8; ++corner) {
+                const Vec3 side((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
+                                (corner & 4) != 0 ? 1 : -1);
+                paths.push_back((sample.position + side.cwiseProduct(body))
+                                    .cwiseMax(level.min - body)
+                                    .cwiseMin(level.max + 3.0 * body));
+            }
     editor.view.fov_y = camera.fov_y;
     editor.view.yaw = 0.0;  // -Z upwards where the camera looks straight down
     editor.view.look_at(camera.eye, camera.target);
-    editor.view.frame(paths, editor.view_aspect);
+    frame_pane(editor, editor.panes.active, std::move(paths));
 }
 
 }  // namespace
 
 void open_demo(Editor& editor, const DemoInfo& info) {
     leave_document(editor, {.then = UnsavedDialog::Then::demo, .open_path = {}, .demo = &info});
+}
+
+const DemoInfo* shown_demo(const Editor& editor) {
+    if (!editor.document) return nullptr;
+    const Level& level = editor.document->level();
+    const DemoInfo* const named = find_demo(level.mesh_path.stem().string());
+    // A level of the same name has another camera.
+    const bool is_it = named && std::ranges::any_of(level.cameras, [&](const CameraBookmark& camera) {
+                           return camera.name == named->title;
+                       });
+    return is_it ? named : nullptr;
 }
 
 void show_demo(Editor& editor, const DemoInfo& info) {
@@ -95,8 +112,10 @@ void show_demo(Editor& editor, const DemoInfo& info) {
     editor.lab.runs().back().name = "Off";
     complete_runs(editor);
     show_lab(editor);
+    editor.layout.show(PanelId::card);
     fill_view(editor, demo.camera);
-    editor.lab.seek(editor.lab.ticks());  // both runs at their ends, with their names
+    editor.lab.seek(0);
+    editor.lab.motion = LabMotion::forward;
     editor.status = sentences_of(info);
 }
 

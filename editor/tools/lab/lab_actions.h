@@ -46,6 +46,8 @@ void open_finding(Editor& editor, std::size_t finding);
 // unsaved changes; a running playtest goes on until the answer.
 void open_demo(Editor& editor, const DemoInfo& info);
 void show_demo(Editor& editor, const DemoInfo& info);  // asks nothing
+// The demo that the open level is; null: it is none.
+const DemoInfo* shown_demo(const Editor& editor);
 
 // A whole set of settings as one step of history.
 void use_preset(Editor& editor, const Preset& preset);

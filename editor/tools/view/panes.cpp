@@ -125,13 +125,23 @@ void frame_pane(Editor& editor, std::size_t pane) {
     editor.panes.framed[pane] = FramedView{view};
 }
 
+void frame_pane(Editor& editor, std::size_t pane, std::vector<Vec3> points) {
+    ViewCamera& view = pane_view(editor, pane);
+    view.frame(points, editor.view_aspect);
+    editor.panes.framed[pane] = FramedView{view, std::move(points)};
+}
+
 void fit_framed_pane(Editor& editor, std::size_t pane, double aspect) {
     std::optional<FramedView>& framed = editor.panes.framed[pane];
     if (!framed || framed->aspect == aspect || !editor.document) return;
     ViewCamera& view = pane_view(editor, pane);
     if (view != framed->view) return framed.reset();
-    frame_level(editor, view, aspect);
-    framed = FramedView{view, aspect};
+    if (framed->points.empty())
+        frame_level(editor, view, aspect);
+    else
+        view.frame(framed->points, aspect);
+    framed->view = view;
+    framed->aspect = aspect;
 }
 
 void activate_pane(Editor& editor, std::size_t pane) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "tools/view/view_camera.h"
 
@@ -13,7 +14,8 @@ struct Editor;
 
 struct FramedView {
     ViewCamera view;
-    double aspect = 0.0;  // width / height; 0: not drawn yet
+    std::vector<Vec3> points = {};  // what it shows; none: the level
+    double aspect = 0.0;            // width / height; 0: not drawn yet
 };
 
 // The active pane's camera is Editor::view; the others' are in `waiting`.
@@ -24,7 +26,7 @@ struct Panes {
     std::size_t active = 0;  // the one that the mouse and commands use
     bool maximised = false;  // only the active one is shown
     std::array<ViewCamera, maximum> waiting;
-    // How the level was framed when it, or the pane, opened; empty once the view has been moved.
+    // How a pane was framed when it, or its level, opened; empty once the view has been moved.
     std::array<std::optional<FramedView>, maximum> framed;
     double across = 0.5, down = 0.5;  // positions of the borders between them, as fractions of the view
 };
@@ -43,6 +45,8 @@ void set_pane_count(Editor& editor, std::size_t count);
 // that would show it from behind; inside a building that is closed on all sides. A view that is not moved
 // until then fits the pane when it is drawn.
 void frame_pane(Editor& editor, std::size_t pane);
+// The same for these points, along the view's direction.
+void frame_pane(Editor& editor, std::size_t pane, std::vector<Vec3> points);
 // `aspect`: width / height of the pane as it is drawn now.
 void fit_framed_pane(Editor& editor, std::size_t pane, double aspect);
 void activate_pane(Editor& editor, std::size_t pane);  // ignored unless it is shown

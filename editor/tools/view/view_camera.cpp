@@ -94,7 +94,14 @@ void ViewCamera::fly(const Vec3& right_up_forward, double seconds) {
 
 void ViewCamera::frame(const Aabb& bounds, double aspect) {
     if (bounds.empty() || !bounds.min.allFinite() || !bounds.max.allFinite() || !(aspect > 0.0)) return;
-    const Camera framed = frame_bounds(bounds, yaw, pitch, fov_y, aspect);
+    adopt(frame_bounds(bounds, yaw, pitch, fov_y, aspect));
+}
+
+void ViewCamera::frame(std::span<const Vec3> points, double aspect) {
+    if (!points.empty()) adopt(frame_points(points, yaw, pitch, fov_y, aspect));
+}
+
+void ViewCamera::adopt(const Camera& framed) {
     pivot = framed.target;
     distance = std::clamp((framed.eye - framed.target).norm(), nearest_m, farthest_m);
 }

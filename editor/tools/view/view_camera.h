@@ -27,7 +27,9 @@ class ViewCamera {
     // The pivot comes to the point's depth.
     void zoom_towards(double wheel, const Vec3& point);
     void fly(const Vec3& right_up_forward, double seconds);  // each -1..1
-    void frame(const Aabb& bounds, double aspect);           // keeps the direction; an empty box is ignored
+    // Keeps the direction; an empty box and no points are ignored.
+    void frame(const Aabb& bounds, double aspect);
+    void frame(std::span<const Vec3> points, double aspect);
     void look_at(const Vec3& eye, const Vec3& target);
     // Views the pivot from this direction (any length except zero), also straight up and down.
     void look_from(const Vec3& direction);
@@ -35,6 +37,9 @@ class ViewCamera {
     const char* name() const;
 
     bool operator==(const ViewCamera&) const = default;
+
+  private:
+    void adopt(const Camera& framed);
 };
 
 }  // namespace slipface

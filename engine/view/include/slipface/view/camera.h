@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "slipface/base/types.h"
@@ -39,6 +40,8 @@ Vec3 project(const Camera& camera, const Vec3& point, const Vec2& viewport_size)
 
 // A camera that sees all of `bounds` from the direction (yaw about +Y, pitch above the horizon; radians).
 Camera frame_bounds(const Aabb& bounds, double yaw, double pitch, double fov_y, double aspect);
+// The nearest one that sees all of `points`: two or more, finite, not all the same.
+Camera frame_points(std::span<const Vec3> points, double yaw, double pitch, double fov_y, double aspect);
 
 // A camera that sees all of `bounds`, by name: "iso" and "iso-back" (perspective, from above a corner), or
 // "top", "bottom", "front", "back", "right", "left" (orthographic; "top" is a map with -Z upwards). Nothing
