@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "face_match.h"
 #include "motion_fit.h"
 #include "slipface/base/hash.h"
 #include "token_reading.h"
@@ -32,7 +33,7 @@ struct ObjectPair {
     Reading order;
     Aabb went_to = {};                      // the box of its faces in the new geometry
     std::vector<std::uint32_t> rival = {};  // as Correspondence, of the object; or empty
-    bool by_place_too = false;              // the places explain all, but differently
+    bool by_place_too = false;              // the places explain as much, but differently
     std::vector<bool> open = {};            // as Correspondence, of the object
 };
 
@@ -59,7 +60,8 @@ std::map<std::uint64_t, std::uint32_t> only_ones(const MeshTokens& tokens, const
 
 class Comparison {
   public:
-    Comparison(const MeshTokens& old, const MeshTokens& now) : old_(old), now_(now) {}
+    Comparison(const MeshTokens& old, const MeshTokens& now, std::span<const std::optional<Vec3>> went)
+        : old_(old), now_(now), went_(went) {}
 
     Correspondence run() && {
         pair_objects();
@@ -120,23 +122,53 @@ class Comparison {
             Reading kept = in_order(edit, place);
             if (kept.score > order.score && almost_all(kept.matched, fewer)) order = std::move(kept);
         }
+        // Of three witnesses, order, place and vertices, the two that agree are right. What all moved, as the
+        // vertices say, is searched for there if none of the others agrees.
+        const Vertices vertices = all_stay ? Vertices{} : vertices_of(pair, edit, order);
+        const bool kept = vertices.agree;
+        if (vertices.stay && !kept && vertices_of(pair, edit, place).agree) order = place;
         const bool too_small = !pair.named && edit.old.size() < enough_faces;
         // A tool sorted the faces, or they are in that order by chance.
         const bool sorted =
             !almost_all(order.score, place.score) ||
             (!order.whole && !almost_all(order.matched, edit.now.size()) && place.in_place >= order.matched);
-        if (order.in_place < order.matched && (too_small || sorted)) {
+        if (!kept && (vertices.moved || (order.in_place < order.matched && (too_small || sorted)))) {
             order.before.assign(edit.now.size(), no_id);
             order.matched = 0;
             return;
         }
         pair.open.resize(edit.now.size(), false);
         pair.rival = slid(edit, order.before, pair.open);
-        if (order.in_place == order.matched) return;
+        if (order.in_place == order.matched || (kept && place.matched == edit.now.size())) return;
         prefer_places(edit, pair);
         const auto least = rival_score * static_cast<double>(order.score);
         if (place.replaced <= order.replaced && static_cast<double>(place.score) >= least)
             doubt(edit, place, pair);
+    }
+
+    // What the vertices say of nearly all faces of which they know.
+    struct Vertices {
+        bool agree = false;  // that they are where the reading has them
+        bool stay = false, moved = false;
+    };
+    Vertices vertices_of(const ObjectPair& pair, const ObjectEdit& edit, const Reading& reading) const {
+        const auto went = went_.subspan(old_.objects[pair.old].first, edit.old.size());
+        std::size_t known = 0, agree = 0, stay = 0;
+        for (std::size_t a = 0; a < went.size(); ++a) {
+            known += went[a] ? 1 : 0;
+            stay += went[a] && ((*went[a] - edit.old[a].position.cast<double>()).cwiseAbs().array() <=
+                                edit.box.step.cast<double>().array())
+                                   .all()
+                        ? 1
+                        : 0;
+        }
+        for (std::uint32_t b = 0; b < reading.before.size(); ++b) {
+            const Vec3 here = edit.now[b].position.cast<double>();
+            if (const std::uint32_t a = reading.before[b]; a != no_id && went[a])
+                agree += (*went[a] - here).norm() <= 8.0 * position_tolerance(here) ? 1 : 0;
+        }
+        return {known > 0 && almost_all(agree, known), known > 0 && almost_all(stay, known),
+                known > 0 && almost_all(known - stay, known)};
     }
 
     // Of equal faces that may have been added or removed, those that leave the others in their places.
@@ -299,6 +331,7 @@ class Comparison {
     }
 
     const MeshTokens &old_, &now_;
+    const std::span<const std::optional<Vec3>> went_;
     std::vector<ObjectPair> pairs_;
     std::vector<bool> paired_old_, paired_now_;
     std::vector<std::uint64_t> joints_;  // [old object]
@@ -306,8 +339,9 @@ class Comparison {
 
 }  // namespace
 
-Correspondence correspond(const MeshTokens& old, const MeshTokens& now) {
-    return Comparison(old, now).run();
+Correspondence correspond(const MeshTokens& old, const MeshTokens& now,
+                          std::span<const std::optional<Vec3>> went) {
+    return Comparison(old, now, went).run();
 }
 
 }  // namespace slipface

@@ -1,6 +1,9 @@
 // Which new face was which old one, by names, order and joints, before anything is asked about places.
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include "face_tokens.h"
 
 namespace slipface {
@@ -15,10 +18,12 @@ struct Correspondence {
     std::vector<bool> moved;  // [token of the new geometry] it is not where the old one was
 };
 
+// `went`: [old token] where its face is now, as the vertices say; nothing: they do not say.
 // Compares the objects of a name, or else those whose faces are joined in a way that no others are. In each
 // there are two readings, the order and the place of its faces. The order counts where the places explain
 // less; where the places explain as much without a face that was replaced, both are possible. What the order
 // does not explain stays open for a search by motions.
-Correspondence correspond(const MeshTokens& old, const MeshTokens& now);
+Correspondence correspond(const MeshTokens& old, const MeshTokens& now,
+                          std::span<const std::optional<Vec3>> went);
 
 }  // namespace slipface

@@ -100,7 +100,8 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
         result.overrides.resize(mesh.face_count());
         return result;
     }
-    FollowedReadings followed = follow_faces(mesh, surfaces, stored, parts);
+    const VertexMotions of_vertices = motions_of_vertices(mesh, parts);
+    FollowedReadings followed = follow_faces(mesh, surfaces, stored, parts, of_vertices);
     const auto all_followed = [&](const FollowedFaces& faces) { return faces.are_all(parts.of.size()); };
     std::optional<FaceLookup> lookup;
     PartMotions motions;
@@ -110,7 +111,7 @@ MatchedOverrides match_overrides(const Mesh& mesh, SurfaceTable surfaces,
         all_followed(followed.first) && (!followed.second || all_followed(*followed.second));
     if (!all_known || stored.size() != parts.of.size()) lookup.emplace(mesh, surfaces);
     if (!all_known && !parts.parts.empty()) {
-        motions = find_motions(*lookup, surfaces, parts, stored);
+        motions = find_motions(*lookup, surfaces, parts, stored, of_vertices);
         forget_stayed(mesh, motions.unclear_objects, followed.first);
         if (followed.second) forget_stayed(mesh, motions.unclear_objects, *followed.second);
         with_unpainted_faces = stored;

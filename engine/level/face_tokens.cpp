@@ -141,7 +141,8 @@ std::string pack_token_objects(const MeshTokens& tokens) {
 
 bool unpack_token_objects(std::string_view bytes, MeshTokens& tokens) {
     if (bytes.size() % bytes_per_object != 0) return false;
-    std::uint64_t first = 0;
+    std::uint64_t first =
+        tokens.objects.empty() ? 0 : tokens.objects.back().first + tokens.objects.back().count;
     const char* at = bytes.data();
     while (at != bytes.data() + bytes.size()) {
         TokenObject object;

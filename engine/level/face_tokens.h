@@ -67,7 +67,8 @@ inline constexpr std::size_t bytes_per_object = 31;
 std::string pack_token_objects(const MeshTokens& tokens);
 std::vector<std::string> pack_tokens(const MeshTokens& tokens);
 
-// Back: the objects first. False if the bytes are none, or too few or too many for the objects.
+// Back, row after row: the objects first. False if the bytes are none, or too few or too many for the
+// objects.
 bool unpack_token_objects(std::string_view bytes, MeshTokens& tokens);
 bool unpack_tokens(std::string_view bytes, MeshTokens& tokens);
 

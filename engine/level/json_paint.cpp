@@ -13,7 +13,7 @@
 namespace slipface {
 namespace {
 
-// The name, and four that are 0: older programs had the number of a vertex there.
+// The name, and four that are 0: in older files, from where on the object's vertices are numbered.
 constexpr std::size_t object_bytes = 7;
 
 // A row for each part, or all of them in one string.
@@ -33,7 +33,9 @@ void read_objects(const JsonNode& node, PaintParts& parts) {
     const char* at = bytes.data();
     for (PaintPart& part : parts.parts) {
         part.object = static_cast<std::uint32_t>(take_bytes(at, 3));
-        take_bytes(at, 4);
+        const auto first = static_cast<std::uint32_t>(take_bytes(at, 4));
+        for (std::uint32_t& number : part.numbers)
+            number -= first;
     }
 }
 
@@ -232,7 +234,14 @@ std::optional<PaintParts> read_paint_parts(const JsonNode& node, std::span<const
     if (!node || corners.size() != 2) return std::nullopt;
     parts.bounds = {corners[0], corners[1]};
     const bool as_many = read_part_of_each(node["of"], painted.size(), parts.of);
-    static_cast<void>(node["numbers"]);  // of an older file
+    std::size_t read = 0;
+    node["numbers"].each(max_paint_parts, [&](const JsonNode& row) {
+        const std::size_t i = read++;
+        if (i >= parts.parts.size()) return;
+        if (row.json().kind != Json::Kind::string ||
+            !unpack_numbers(row.json().text, list.json().items[i].text, parts.parts[i]))
+            row.fail("the numbers of a part's vertices, as base64");
+    });
     if (const JsonNode objects = node["objects"]) read_objects(objects, parts);
     read_outlines(node, painted.size(), parts.outlines);
     if (const JsonNode unpainted = node["unpainted"]) parts.unpainted = read_unpainted(unpainted);
@@ -261,6 +270,12 @@ Json paint_parts_json(const std::vector<FaceKey>& keys, const PaintParts& parts,
     add_part_of_each(json, parts.of, order);
     json_add(json, "list",
              json_array_of(parts.parts, [](const PaintPart& part) { return json_string(pack_part(part)); }));
+    Json numbers = json_array_of(
+        parts.parts, [](const PaintPart& part) { return json_string(pack_numbers(part, pack_part(part))); });
+    // Painted parts come first.
+    while (!numbers.items.empty() && numbers.items.back().text.empty())
+        numbers.items.pop_back();
+    json_add(json, "numbers", std::move(numbers));
     json_add(json, "objects", json_array_of(parts.parts, object_json));
     json_add(json, "corners", outlines_json(keys, parts.outlines, order));
     std::string bits((order.size() + 7) / 8, '\0');

@@ -1,9 +1,10 @@
 // Painted faces in the level file: rows of faces, and "parts", what a search for them needs.
 //
 //   "parts": {"paint": hash of the painted faces, "box": of the whole mesh,
-//             "of": each painted face's part, "list": each part (pack_part()),
-//             "objects": its object, "corners": the outlines of the painted faces, "guessed": a bit for each,
-//             "tokens": of all faces (face_tokens.h): {"objects", "rows", "painted": the number of each
+//             "of": each painted face's part, "list": each part (pack_part()), "numbers": its vertices
+//             (pack_numbers()), "objects": its object, "corners": the outlines of the painted faces,
+//             "guessed": a bit for each, "tokens": of all faces (face_tokens.h): {"objects", "rows",
+//             "painted": the number of each
 //                       painted face's token, "unpainted": of each unpainted one below},
 //             "unpainted": {"groups": faces that lie on painted ones, "of", "corners": as above}}
 #pragma once

@@ -10,14 +10,19 @@
 namespace slipface {
 
 FollowedReadings follow_faces(const Mesh& mesh, SurfaceTable surfaces, std::span<const StoredOverride> stored,
-                              const PaintParts& parts) {
+                              const PaintParts& parts, const VertexMotions& of_vertices) {
     if (parts.tokens.empty()) return {};
     const MeshTokens now = mesh_tokens(mesh, surfaces);
-    const Correspondence known = correspond(parts.tokens, now);
     const std::size_t painted = std::min(parts.token.size(), stored.size());
     std::vector<std::uint32_t> stored_at(parts.tokens.faces.size(), no_id);  // [old token]
-    for (std::uint32_t i = 0; i < painted; ++i)
+    std::vector<std::optional<Vec3>> went(parts.tokens.faces.size());
+    for (std::uint32_t i = 0; i < painted; ++i) {
         stored_at[parts.token[i]] = i;
+        const std::size_t part = parts.of[i];
+        if (part > 0 && part <= of_vertices.size() && of_vertices[part - 1])
+            went[parts.token[i]] = (*of_vertices[part - 1])(stored[i].key.centroid);
+    }
+    const Correspondence known = correspond(parts.tokens, now, went);
     std::vector<std::optional<SurfaceId>> types;  // [painted]
     for (std::size_t i = 0; i < painted; ++i)
         types.push_back(type_of(surfaces, stored[i].type));

@@ -28,6 +28,6 @@ struct FollowedReadings {
 
 // None in a level file without tokens. `stored`: the painted faces of `parts`, and others after them.
 FollowedReadings follow_faces(const Mesh& mesh, SurfaceTable surfaces, std::span<const StoredOverride> stored,
-                              const PaintParts& parts);
+                              const PaintParts& parts, const VertexMotions& of_vertices);
 
 }  // namespace slipface

@@ -78,12 +78,25 @@ bool before(const Vec3f& a, const Vec3f& b) {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-// Begins at the lowest corner, so that the text does not depend on where the loop begins.
+// The face's vertices from its lowest corner on, so that the text does not depend on where the loop begins.
+std::vector<std::uint32_t> anchor_vertices(const Mesh& mesh, FaceId face) {
+    const auto corner = [&](std::uint32_t c) {
+        return mesh.corner_vertex.begin() + mesh.face_first_corner[c];
+    };
+    std::vector<std::uint32_t> vertices(corner(face), corner(face + 1));
+    std::rotate(vertices.begin(),
+                std::min_element(vertices.begin(), vertices.end(),
+                                 [&](std::uint32_t a, std::uint32_t b) {
+                                     return before(mesh.positions[a], mesh.positions[b]);
+                                 }),
+                vertices.end());
+    return vertices;
+}
+
 AnchorFace anchor_face(const Mesh& mesh, FaceId face) {
     AnchorFace corners;
-    for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c)
-        corners.push_back(mesh.corner_position(c));
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), before), corners.end());
+    for (const std::uint32_t vertex : anchor_vertices(mesh, face))
+        corners.push_back(mesh.positions[vertex]);
     return corners;
 }
 
@@ -116,13 +129,29 @@ void find_anchors(const Mesh& mesh, const MeshParts& all, std::vector<PaintPart>
                 rim = {reach, face};
         }
     }
-    for (std::size_t part = 0; part < parts.size(); ++part) {
-        std::vector<AnchorFace>& anchors = parts[part].anchors;
-        for (const Rim& rim : rims[part])
-            if (rim.face != no_id) anchors.push_back(anchor_face(mesh, rim.face));
-        std::sort(anchors.begin(), anchors.end(), loop_before);
-        anchors.erase(std::unique(anchors.begin(), anchors.end()), anchors.end());
+    std::vector<std::uint32_t> lowest(mesh.groups.size(), no_id);  // [group] number of a vertex
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        const std::uint32_t group = mesh.face_group[face];
+        for (std::uint32_t c = mesh.face_first_corner[face]; c < mesh.face_first_corner[face + 1]; ++c)
+            lowest[group] = std::min(lowest[group], mesh.number_in_group(group, mesh.corner_vertex[c]));
     }
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+        std::map<AnchorFace, FaceId, decltype(&loop_before)> anchors(&loop_before);
+        for (const Rim& rim : rims[part])
+            if (rim.face != no_id) anchors.try_emplace(anchor_face(mesh, rim.face), rim.face);
+        for (const auto& [anchor, face] : anchors) {
+            parts[part].anchors.push_back(anchor);
+            const std::uint32_t group = mesh.face_group[face];
+            for (const std::uint32_t vertex : anchor_vertices(mesh, face))
+                parts[part].numbers.push_back(mesh.number_in_group(group, vertex) - lowest[group]);
+        }
+    }
+}
+
+std::uint32_t hash_of_text(std::string_view text) {
+    Hasher hasher;
+    hasher.text(text);
+    return static_cast<std::uint32_t>(hasher.value());
 }
 
 }  // namespace
@@ -274,6 +303,40 @@ bool unpack_part(std::string_view text, PaintPart& part) {
             anchor.push_back(take());
     }
     return valid && (part.box.min.array() <= part.box.max.array()).all();
+}
+
+// 4 bytes hash of `list`, 4 bytes the lowest number, 1 byte width; of each corner, how far its number is
+// above the lowest, in that many bytes.
+std::string pack_numbers(const PaintPart& part, std::string_view list) {
+    if (part.numbers.empty()) return {};
+    const auto [low, high] = std::minmax_element(part.numbers.begin(), part.numbers.end());
+    const std::size_t width = (static_cast<std::size_t>(std::bit_width(*high - *low)) + 7) / 8;
+    std::string bytes;
+    put_bytes(bytes, hash_of_text(list), 4);
+    put_bytes(bytes, *low, 4);
+    put_bytes(bytes, width, 1);
+    for (const std::uint32_t number : part.numbers)
+        put_bytes(bytes, number - *low, width);
+    return to_base64(bytes, Base64::plain);
+}
+
+bool unpack_numbers(std::string_view text, std::string_view list, PaintPart& part) {
+    const std::optional<std::string> bytes = from_base64(text, Base64::plain);
+    if (!bytes || (!bytes->empty() && bytes->size() < 9)) return false;
+    if (bytes->empty()) return true;
+    const char* at = bytes->data();
+    const bool same = take_bytes(at, 4) == hash_of_text(list);
+    const std::uint64_t lowest = take_bytes(at, 4);
+    const std::size_t width = take_bytes(at, 1);
+    if (!same) return true;
+    std::size_t corners = 0;
+    for (const AnchorFace& anchor : part.anchors)
+        corners += anchor.size();
+    if (width > 4 || bytes->size() != 9 + width * corners) return false;
+    for (std::size_t c = 0; c < corners; ++c)
+        part.numbers.push_back(
+            static_cast<std::uint32_t>(std::min<std::uint64_t>(lowest + take_bytes(at, width), no_id)));
+    return true;
 }
 
 }  // namespace slipface

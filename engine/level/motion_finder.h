@@ -24,7 +24,7 @@ inline constexpr double vote_slack = 0.3;            // by which parts yield to 
 class MotionFinder {
   public:
     MotionFinder(FaceLookup& lookup, SurfaceTable surfaces, const PaintParts& parts,
-                 const std::vector<StoredOverride>& stored);
+                 const std::vector<StoredOverride>& stored, const VertexMotions& of_vertices);
 
     PartMotions run() &&;
 
@@ -74,6 +74,7 @@ class MotionFinder {
     void add_shared_readings(std::size_t part);
     void one_part_each_place();
     void doubt(std::size_t part);
+    void doubt_rows();
     bool is_unexplained(std::size_t part);
     bool lies_as_before(std::size_t part);
     bool is_claimed(std::size_t part, const PartMotion& motion) const;
@@ -83,7 +84,7 @@ class MotionFinder {
     const FaceIndex& index_;
     const SurfaceTable surfaces_;
     const PaintParts& stored_;
-    const std::vector<StoredOverride>& overrides_;
+    const VertexMotions& of_vertices_;
     PartSupport support_;
     PartTypes types_;
     SimilarCorners similar_;

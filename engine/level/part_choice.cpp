@@ -47,6 +47,13 @@ void MotionFinder::choose() {
 void MotionFinder::find_readings(std::size_t i) {
     Part& part = parts_[i];
     const bool stays = part.best.is_identity();
+    if (of_vertices_[i]) {
+        const auto made = std::ranges::find_if(
+            moves_, [&](const Move& move) { return same(stored_.parts[i].box, move.motion, part.best); });
+        const auto move = static_cast<std::size_t>(made - moves_.begin());
+        part.readings.push_back({made == moves_.end() ? 0 : move, part.best, part.best_support});
+        return;
+    }
     if (stays && part.staying.corners >= lost_below) part.readings.push_back({0, PartMotion{}, part.staying});
     if (stays && part.searched) return;
     for (std::size_t k = 1; k < moves_.size() && votes_ < max_guesses; ++k) {
@@ -87,6 +94,14 @@ void MotionFinder::add_shared_readings(std::size_t i) {
 void MotionFinder::choose(std::size_t i) {
     Part& part = parts_[i];
     const Aabb& box = stored_.parts[i].box;
+    if (of_vertices_[i]) {
+        // Of what may have turned onto itself, the vertices may have been sorted instead.
+        if (part.staying.sum() > 2.0 - 1e-9 &&
+            (part.best(box.centre()) - box.centre()).norm() <= box_slack * box.size().norm() &&
+            types_.differ(i, PartMotion{}, part.best))
+            part.rival = PartMotion{};
+        return;
+    }
     const auto likelier = [&](const Reading& a, const Reading& b) {
         const auto rank = [&](const Reading& reading) {
             const Move& move = moves_[reading.move];
@@ -153,6 +168,7 @@ void MotionFinder::one_part_each_place() {
         const Part& part = parts_[i];
         if (part.best.is_identity()) continue;
         places_[i] = support_.moved_box(i, part.best);
+        if (of_vertices_[i]) continue;
         const Aabb& box = stored_.parts[i].box;
         order.push_back({10.0 * static_cast<double>(part.shared) + part.best_support.sum() -
                              0.1 * std::min(effort(part.best, box.centre(), box.size().norm()), 2.0),
@@ -169,6 +185,40 @@ void MotionFinder::one_part_each_place() {
         part.rival.reset();
         places_[i] = Aabb{};
     }
+}
+
+// Of equal parts in a row, of which one place was left and another one taken, all between may have moved on.
+void MotionFinder::doubt_rows() {
+    constexpr std::size_t max_pairs = 256;
+    const std::vector<PaintPart>&now = support_.all().parts, &old = stored_.parts;
+    const auto alike = [](const PaintPart& a, const PaintPart& b) {
+        return a.faces == b.faces && (a.box.size() - b.box.size()).norm() <= 1e-3 * a.box.size().norm();
+    };
+    const auto is_in = [&](const std::vector<PaintPart>& parts, const PaintPart& one) {
+        return std::any_of(parts.begin(), parts.end(), [&](const PaintPart& part) {
+            return alike(part, one) && similar_box(part.box, one.box, 1e-3);
+        });
+    };
+    std::vector<const PaintPart*> left, taken;
+    for (const PaintPart& part : old)
+        if (!is_in(now, part)) left.push_back(&part);
+    for (const PaintPart& part : now)
+        if (!left.empty() && !is_in(old, part)) taken.push_back(&part);
+    std::size_t pairs = 0;
+    for (const PaintPart* from : left)
+        for (const PaintPart* to : taken) {
+            if (!alike(*from, *to) || ++pairs > max_pairs) continue;
+            const Vec3 way = to->box.centre() - from->box.centre();
+            const double slack = box_slack * from->box.size().norm();
+            for (std::size_t i = 0; i < parts_.size(); ++i) {
+                if (of_vertices_[i] || support_.points(i).empty() || !alike(old[i], *from)) continue;
+                const Vec3 off = old[i].box.centre() - from->box.centre();
+                const double along = off.dot(way) / way.squaredNorm();
+                if (along > 0.0 && along < 1.0 && (off - along * way).norm() <= slack)
+                    parts_[i].best.guessed =
+                        parts_[static_cast<std::size_t>(from - old.data())].best.guessed = true;
+            }
+        }
 }
 
 bool MotionFinder::is_unexplained(std::size_t i) {
@@ -237,8 +287,8 @@ void MotionFinder::doubt(std::size_t i) {
     if (stays ? part.searched && part.best_support.keys < few_faces : part.best_support.sum() < little)
         part.best.guessed = true;
     const bool turned = effort(part.best, box.centre(), box.size().norm()) > more_effort;
-    part.best.lost =
-        !stays && part.best.guessed && ((part.rival && turned) || part.best_support.sum() < hardly);
+    part.best.lost = !stays && !of_vertices_[i] && part.best.guessed &&
+                     ((part.rival && turned) || part.best_support.sum() < hardly);
     part.best.guessed = part.best.guessed || part.rival;
 }
 

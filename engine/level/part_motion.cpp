@@ -7,8 +7,8 @@
 namespace slipface {
 
 PartMotions find_motions(FaceLookup& lookup, SurfaceTable surfaces, const PaintParts& parts,
-                         const std::vector<StoredOverride>& stored) {
-    return MotionFinder(lookup, surfaces, parts, stored).run();
+                         const std::vector<StoredOverride>& stored, const VertexMotions& of_vertices) {
+    return MotionFinder(lookup, surfaces, parts, stored, of_vertices).run();
 }
 
 FaceKey moved_key(const FaceKey& key, const PartMotion& motion) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ struct PaintPart {
     std::uint32_t object = 0;  // object_name() of its group; 0: not known
     Aabb box;
     std::vector<AnchorFace> anchors;  // none if no face is painted
+    // [corner of the anchors] the number of its vertex in the geometry's file, from that of the object's
+    // first one; none: not known
+    std::vector<std::uint32_t> numbers;
 };
 
 inline constexpr std::size_t max_paint_parts = 4096;  // of a level
@@ -60,6 +64,11 @@ PaintParts paint_parts(const Mesh& mesh, SurfaceTable surfaces, const std::vecto
 std::string pack_part(const PaintPart& part);
 bool unpack_part(std::string_view text, PaintPart& part);
 
+// The numbers of a part's vertices, and back. `list`: the text of pack_part(); numbers that were packed for
+// another one are left out. False if `text` is none.
+std::string pack_numbers(const PaintPart& part, std::string_view list);
+bool unpack_numbers(std::string_view text, std::string_view list, PaintPart& part);
+
 // Where a part went: position p became linear * p + offset.
 struct PartMotion {
     Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
@@ -87,10 +96,15 @@ struct PartMotions {
     std::set<std::uint32_t> unclear_objects;
 };
 
+// [part] the motion that the vertices prove: those that its anchors had are all elsewhere, or in their
+// places, as after one motion. Nothing where they say nothing, or no more than the order of the faces says.
+using VertexMotions = std::vector<std::optional<PartMotion>>;
+VertexMotions motions_of_vertices(const Mesh& mesh, const PaintParts& parts);
+
 // [part] the motion that puts the most anchors and painted faces (`stored`) onto the mesh's. A part stays
 // where it is unless another motion explains clearly more. The work is bounded.
 PartMotions find_motions(FaceLookup& lookup, SurfaceTable surfaces, const PaintParts& parts,
-                         const std::vector<StoredOverride>& stored);
+                         const std::vector<StoredOverride>& stored, const VertexMotions& of_vertices);
 
 // `key` after the motion. The loop hash, which cannot be moved, becomes 0.
 FaceKey moved_key(const FaceKey& key, const PartMotion& motion);

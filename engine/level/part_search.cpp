@@ -23,13 +23,13 @@ Eigen::Matrix3Xd columns(const std::vector<Vec3>& corners) {
 }  // namespace
 
 MotionFinder::MotionFinder(FaceLookup& lookup, SurfaceTable surfaces, const PaintParts& parts,
-                           const std::vector<StoredOverride>& stored)
+                           const std::vector<StoredOverride>& stored, const VertexMotions& of_vertices)
     : lookup_(lookup),
       mesh_(lookup.mesh),
       index_(lookup.index),
       surfaces_(surfaces),
       stored_(parts),
-      overrides_(stored),
+      of_vertices_(of_vertices),
       support_(mesh_, index_, surfaces, parts, stored),
       types_(parts, stored),
       similar_(mesh_),
@@ -45,7 +45,8 @@ PartMotions MotionFinder::run() && {
         parts_[part].staying = support_.support(part, PartMotion{}, 0.0);
         if (support_.points(part).empty()) continue;
         ++painted;
-        if (parts_[part].staying.corners >= lost_below) continue;
+        const bool moved = of_vertices_[part] && !of_vertices_[part]->is_identity();
+        if (parts_[part].staying.corners >= lost_below && !moved) continue;
         ++gone;
         support_.set_gone(part);
     }
@@ -67,6 +68,7 @@ PartMotions MotionFinder::run() && {
         }
         if (is_unexplained(part)) (lies_as_before(part) ? best.guessed : best.lost) = true;
     }
+    doubt_rows();
     find_flipped();
     PartMotions motions;
     for (const Part& part : parts_)
@@ -112,6 +114,12 @@ void MotionFinder::find_flipped() {
 void MotionFinder::find(std::size_t i) {
     Part& part = parts_[i];
     part.best_support = part.staying;
+    if (of_vertices_[i]) {
+        part.best = *of_vertices_[i];
+        part.best_support = support_.support(i, part.best, 0.0);
+        known_.push_back(part.best);
+        return;
+    }
     if (support_.points(i).size() < 3) return;
     if (part.staying.corners >= in_place) return;
     part.searched = true;

@@ -358,6 +358,18 @@ TEST(FaceMatch, PartsOfOtherPaintAreIgnoredAndBrokenOnesAreErrors) {
         ASSERT_FALSE(loaded.ok()) << text;
         EXPECT_NE(loaded.error().text().find("/parts/list/"), std::string::npos) << loaded.error().text();
     }
+    // Numbers that were written for another list are left out; those that are none are errors.
+    const std::size_t numbers = json.find('"', json.find("\"numbers\": [") + 11);
+    std::string stale = json;
+    stale[numbers + 1] = stale[numbers + 1] == 'A' ? 'B' : 'A';
+    const auto left_out = level_from_json(stale, "test.slipface.json", mesh_of(faces));
+    ASSERT_TRUE(left_out.ok()) << left_out.error().text();
+    EXPECT_TRUE(wrong_faces(faces, *left_out).empty());
+    std::string broken = json;
+    broken.insert(numbers + 1, "AAA=");
+    const auto refused = level_from_json(broken, "test.slipface.json", mesh_of(faces));
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(refused.error().text().find("/parts/numbers/0"), std::string::npos) << refused.error().text();
     const std::size_t row = json.find('"', json.find("\"objects\": [") + 11);
     for (const char* text : {"AAAA", "?", "\"AAAAAAAAAA\", "}) {
         std::string longer = json;
@@ -394,14 +406,13 @@ TEST(FaceMatch, ATextWithoutPartsIsShorterAndHasTheSamePaint) {
     EXPECT_TRUE(loaded->level.guessed.empty());
 }
 
-TEST(FaceMatch, AnOlderFileIsReadAndNothingOfItStays) {
+TEST(FaceMatch, ObjectsAreReadFromAnOlderFile) {
     Faces faces = tiles(3);
     faces[0].painted = 1;
     std::string json = level_to_json(level_of(faces));
     const std::size_t list = json.find('[', json.find("\"objects\": ")), end = json.find(']', list);
     const std::size_t row = json.find('"', list);  // of the only part
-    json.replace(list, end + 1 - list,
-                 json.substr(row, json.find('"', row + 1) + 1 - row) + ", \"numbers\": [\"AAAA\"]");
+    json.replace(list, end + 1 - list, json.substr(row, json.find('"', row + 1) + 1 - row));
     const auto loaded = level_from_json(json, "test.slipface.json", mesh_of(faces));
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
     EXPECT_TRUE(wrong_faces(faces, *loaded).empty());

@@ -32,6 +32,25 @@ TEST(Tokens, TakeEightBytesPerFace) {
     EXPECT_GE(characters, 8 * faces.size() * 4 / 3);
 }
 
+// The objects of a level take several rows. Each of these floors is where the next one was.
+TEST(Tokens, OfAHundredObjectsAreRead) {
+    Faces faces;
+    for (int i = 0; i < 100; ++i)
+        for (Face tile : tiles(2)) {
+            for (Vec3f& corner : tile.corners)
+                corner.y() += static_cast<float>(i);
+            tile.object = "floor" + std::to_string(i);
+            tile.painted = i % 3 == 0 ? static_cast<int>(i % 5) : -1;
+            faces.push_back(tile);
+        }
+    Faces after = faces;
+    for (Face& tile : after)
+        for (Vec3f& corner : tile.corners)
+            corner.y() += 1.0f;
+    const LoadedLevel loaded = rematch(faces, after);
+    EXPECT_TRUE(wrong_faces(after, loaded).empty()) << loaded.match.text();
+}
+
 TEST(Tokens, DamagedOnesAreAnErrorOrIgnored) {
     const Faces faces = painted_tiles();
     const std::string text = level_to_json(level_of(faces));
