@@ -45,6 +45,8 @@ CHECKS = (
           "the Debian packages: built in one bare system, used in another"),
     Check("windows", "scripts/check_windows.sh", 60, ("cmake/windows.cmake", "stand_ins", "scripts/compare_windows.sh"),
           "the engine and the command line built by mingw; tests, bits and output under wine"),
+    Check("libcxx", "scripts/check_libcxx.sh", 30, ("stand_ins", "scripts/bare_system.sh"),
+          "the engine built with clang and libc++ on Debian testing: its tests and its bits"),
     Check("cluster", "scripts/cluster_test.sh", 12, ("editor/mpi", "scripts/slurm.sh"), "audits, searches and snapshots under Slurm and MPI"),
     Check("sanitizers", "scripts/check_sanitizers.sh", 35, ("tests",), "every test under AddressSanitizer and UndefinedBehaviorSanitizer"),
     Check("tidy", "scripts/check_tidy.sh", 50, (".clang-tidy",), "clang-tidy over every source file"),

@@ -24,10 +24,10 @@ slipface_stand_in_package(nlohmann_json nlohmann_json::nlohmann_json "${headers}
 slipface_stand_in_package(assimp assimp::assimp "${headers}")
 slipface_stand_in_package(CLI11 CLI11::CLI11 "${headers}")
 
-# The compiled parts: fmt's, stb's, and compression by stb under libdeflate's names.
-add_library(slipface_stand_ins STATIC "${CMAKE_CURRENT_LIST_DIR}/deflate/libdeflate.cpp" "${CMAKE_CURRENT_LIST_DIR}/fmt.cpp"
-    "${CMAKE_CURRENT_LIST_DIR}/stb.c")
+# The compiled parts: stb's, and compression by stb under libdeflate's names. fmt is its headers alone.
+add_library(slipface_stand_ins STATIC "${CMAKE_CURRENT_LIST_DIR}/deflate/libdeflate.cpp" "${CMAKE_CURRENT_LIST_DIR}/stb.c")
 target_compile_features(slipface_stand_ins PUBLIC cxx_std_20)
+target_compile_definitions(slipface_stand_ins PUBLIC FMT_HEADER_ONLY=1)
 target_include_directories(slipface_stand_ins SYSTEM PUBLIC "$<BUILD_INTERFACE:${headers}>"
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_LIST_DIR}/deflate>")
 set_target_properties(slipface_stand_ins PROPERTIES EXPORT_NAME stand_ins)
