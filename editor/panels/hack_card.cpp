@@ -207,10 +207,10 @@ int order_buttons(int shown) {
     if (ui::button("Previous", shown > 0 ? title(shown - 1) : nullptr, shown > 0)) next = shown - 1;
     ImGui::SameLine();
     if (ui::button("Next", shown < last ? title(shown + 1) : nullptr, shown < last)) next = shown + 1;
-    ImGui::SameLine();
     const std::string where = fmt::format("{} of {}{}{}", shown + 1, last + 1, shown < last ? ", next: " : "",
                                           shown < last ? title(shown + 1) : "");
-    ImGui::TextColored(ui::palette().muted, "%s", where.c_str());
+    ui::flow(ImGui::CalcTextSize(where.c_str()).x);
+    ui::muted_text(where.c_str());
     return next;
 }
 

@@ -234,7 +234,9 @@ bool explain_fall(Stop& stop, const TapeRun& run, WhatHolds& holds) {
     const Vec3 end = run.samples()[stop.first].position;
     stop.loss = fall_after(run, stop.first, end, stop.left);
     if (run.input_at(stop.left).buttons.has(Button::drop)) return false;
-    return name_fall(stop, holds, end.y() + 0.5 * stop.fell_m);
+    const double lowest = end.y() + stop.fell_m - run.settings_at(stop.left).step_height;
+    // A player that slid down a wall touched it, too: that cut no jump.
+    return name_fall(stop, holds, lowest) && stop.fall != FallCause::cut_short;
 }
 
 // With `level`, by trying.

@@ -83,8 +83,8 @@ struct Stop {
 
 // The stops of a run, in order: neighbouring ticks in which the run made less than half of the motion that
 // the stick requested. A loss below least_stop_s is no stop: walking along a wall, climbing a step. Each
-// return to the start is a stop of its own, and each fall by more than the player's height that something
-// caused: without it the player would have stayed up.
+// return to the start is a stop of its own, and each fall by more than the player's height onto lower ground
+// that a type or a push caused: without it the player would have stayed up.
 //
 // What held the player is found by trying: the run is played again without what was met, until the player
 // gets on, and what may stay is put back. Where several things hold it, each alone, the headline names the
