@@ -143,9 +143,9 @@ TEST(Snags, AFloorBelowChangesNoCauseOfAFall) {
             if (!open[i].causes.contains(StopCause::fall)) continue;
             const Walk out = walk(open[i].level, open[i].tape, true);
             const Stop* stop = headline_stop(out.stops);
-            const std::set<FallCause> told{FallCause::not_solid, FallCause::one_sided, FallCause::by_type,
-                                           FallCause::pushed};
-            if (stop == nullptr || !told.contains(stop->fall)) continue;
+            const std::set<FallCause> causes{FallCause::not_solid, FallCause::one_sided, FallCause::by_type,
+                                             FallCause::pushed};
+            if (stop == nullptr || !causes.contains(stop->fall)) continue;
             const std::string what = open[i].kind + ", " + open[i].size;
             const Walk down = walk(closed[i].level, closed[i].tape, true);
             const auto same = std::ranges::find(down.stops, stop->headline, &Stop::headline);
