@@ -128,9 +128,10 @@ Loss fall_after(const TapeRun& run, std::size_t tick, const Vec3& end, std::size
     return loss;
 }
 
+constexpr auto no_tick = std::numeric_limits<std::size_t>::max();
+
 // Stretches in which less than half of the motion was made that the stick requested, the ways back, and the
 // falls by more than the player's height.
-constexpr auto no_tick = std::numeric_limits<std::size_t>::max();
 struct Stretch {
     Stop stop;
     double early_m = 0.0;  // what was lost until WhatHolds::looked_at_s
