@@ -20,7 +20,7 @@ CEILING = [
     (39, 1.4, "smooth"), (41, 1.4, "smooth"), (41, 8, "smooth"), (44, 8, "smooth"), (49, 15, "smooth"), (86, 15, None),
 ]
 GRATE = [(10, 0, "grate"), (14, 0, None)]
-GOALS = [("crouch", 9.2, 0), ("drop", 16, -4), ("dash", 26, -4), ("air jump", 38, -1.1), ("wall jump", 47, 5.4), ("ledge", 54, 9.9),
+GOALS = [("crouch", 9.2, 0), ("drop", 16, -4), ("dash", 28.5, -4), ("air jump", 38, -1.1), ("wall jump", 47, 5.4), ("ledge", 54, 9.9),
          ("glide", 82, 5.9)]
 COLORS = {"smooth": (0.45, 0.47, 0.5), "lava": (0.8, 0.25, 0.05), "lip": (0.85, 0.7, 0.4), "grate": (0.35, 0.55, 0.45)}
 TYPES = [

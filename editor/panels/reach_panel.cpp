@@ -150,6 +150,18 @@ void goal_rows(Editor& editor, std::size_t index) {
             change_goal(editor, index, goal);
         }
     }
+    std::string settings = fmt::format("{}", fmt::join(goal.settings, " "));
+    if (ui::input_text("##Settings", &settings, "dash=off")) {
+        if (Result<std::vector<std::string>> read = goal_settings(settings)) {
+            live_edit(editor, "Change goal " + goal.name);
+            goal.settings = std::move(*read);
+            change_goal(editor, index, goal);
+        } else {
+            editor.status = read.error().message;  // while it is typed
+        }
+    }
+    ui::tooltip(
+        "Settings that are different for this goal, as for --set: whether it is reached without an ability");
     ImGui::PopID();
 }
 

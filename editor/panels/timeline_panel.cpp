@@ -141,25 +141,36 @@ void transport(Editor& editor) {
     ui::record_last_item("Speed");
     ui::tooltip("Playback speed; 1x is real time");
     float gap = group_gap;
-    for (const char* id :
-         {"lab.look", "lab.resume", "lab.pin", "lab.save_tape", "lab.export_csv", "lab.close_tape"}) {
+    for (const char* id : {"lab.look", "lab.resume", "lab.pin", "lab.save_tape", "lab.export_csv"}) {
         next_button(gap);
         gap = 3.0f;
         command_button(editor, id);
-        if (!lab.has_tape()) return;
     }
-    words(ui::palette().text, fmt::format("{} of {}", tick_text(lab, lab.cursor()), lab.ticks()));
-    const std::optional<bool> repeats = lab.repeats();
     // A level that was painted since explains all there is to explain.
-    if (!lab.doubt().empty())
-        words(ui::palette().accent, lab.doubt());
-    else if (repeats && !*repeats)
-        words(ui::palette().bad, "Does not repeat the recording");
+    if (!lab.doubt().empty()) words(ui::palette().accent, lab.doubt());
+}
+
+// In the names' column, which is free there: the tick, beside the markers, and whether the run is the
+// recorded one, beside the ruler.
+void beside_tracks(const Lab& lab, ImVec2 marker, ImVec2 ruler) {
+    const auto line = [](ImVec2 at, const ImVec4& color, const std::string& text, const char* tip) {
+        const float width = (name_width - 6) * ui::scale();
+        ImGui::SetCursorScreenPos(at);
+        ImGui::Dummy({width, ImGui::GetTextLineHeight()});
+        ui::tooltip(tip);
+        ui::ellipsis(at, at.x + width, color, text);
+    };
+    line(marker, ui::palette().text, fmt::format("tick {} of {}", lab.cursor(), lab.ticks()),
+         tick_text(lab, lab.cursor()).c_str());
+    constexpr const char* tip = "Whether the run ends with the same bits as when it was recorded";
+    const std::optional<bool> repeats = lab.repeats();
+    if (!lab.doubt().empty()) return;
+    if (repeats && !*repeats)
+        line(ruler, ui::palette().bad, "Does not repeat", tip);
     else if (repeats)
-        words(ui::palette().good, "Replays exactly");
+        line(ruler, ui::palette().good, "Replays exactly", tip);
     else if (lab.edited())
-        words(ui::palette().muted, "Inputs changed");
-    ui::tooltip("Whether the run ends with the same bits as when it was recorded");
+        line(ruler, ui::palette().muted, "Inputs changed", tip);
 }
 
 // Seconds under the lanes, as many as there is room for.
@@ -352,6 +363,7 @@ void tracks(Editor& editor) {
     list.PopClipRect();
 
     run_names(lab, shown, origin, min.y + marker_height * scale);
+    beside_tracks(lab, {origin.x, min.y + scale}, {origin.x, max.y});
     const float inputs = max.y + (ruler_height + 3) * scale;
     const float end = inputs + input_lanes_height(lab);
     input_lanes(editor, track, origin.x, inputs);

@@ -19,7 +19,7 @@
 //   "selections": [{"name": "stairs", "faces": [...as overrides, without "type"]}],    (*)
 //   "cameras": [{"name": "door", "eye": [...], "target": [...], "fov_y": 1.0472}],
 //   "goals": [{"name": "roof", "kind": "reach", "position": [...], "radius": 1,        (*)
-//              "within_s": 20, "from": "start"}],                                      (the last two: *)
+//              "within_s": 20, "from": "start", "settings": ["dash=off"]}],          (the last three: *)
 //   "movement": {...one key per settings_table() row; a missing one has its value of basic_settings()},
 //   "light": {"image": "easy.light.png", "geometry": "HASH", "texel": 0.25, "sun_direction": [...], ...,
 //             "emitters": [{"pattern": "lava*", "color": [...]}]},                     (*)

@@ -304,6 +304,12 @@ class LevelReader {
             within.fail("a time", "none for a goal of the kind \"never\"");
         within.number(0.0, 1e6, goal.within_s);
         node["from"].text(goal.from);
+        node["settings"].each(max_goal_settings, [&](const JsonNode& setting) {
+            MovementSettings movement;
+            std::string& text = goal.settings.emplace_back();
+            if (!setting.text(text)) return;
+            if (const Status status = set_setting(movement, text); !status) setting.fail(status.error());
+        });
         store_unknown(node, unknown_.location("goals", goal.name));
         level_.goals.push_back(std::move(goal));
     }

@@ -262,6 +262,7 @@ Json goal_json(const Goal& goal) {
                              {"radius", json_number(goal.radius)}});
     if (goal.within_s) json_add(json, "within_s", json_number(*goal.within_s));
     if (!goal.from.empty()) json_add(json, "from", json_string(goal.from));
+    if (!goal.settings.empty()) json_add(json, "settings", json_array_of(goal.settings, json_string));
     return json;
 }
 

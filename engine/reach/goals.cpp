@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "slipface/level/find_start.h"
 #include "slipface/reach/report.h"
@@ -27,13 +28,19 @@ GoalAnswer answer(const ReachSearch& search, std::size_t index) {
     answer.goal = index;
     const std::string effort = fmt::format("{} steps in {} rounds{}", search.steps(), search.rounds().size(),
                                            search.exhausted() ? ", and nothing was left to try" : "");
+    const std::string name =
+        goal.settings.empty() ? goal.name : fmt::format("{} ({})", goal.name, fmt::join(goal.settings, ", "));
     if (reached.found()) answer.tape = search.tape_to(reached.node);
     if (answer.tape) {
         answer.time_s = reached.tick * search.options().dt;
+        if (goal.within_s && *answer.time_s > *goal.within_s) {
+            answer.tape = search.hurried_tape_to(index);
+            answer.time_s = static_cast<double>(answer.tape->tick_count()) * answer.tape->dt;
+        }
         const FaceId face = search.archive().nodes[reached.node].state.ground_face;
         const bool late = goal.within_s && *answer.time_s > *goal.within_s;
         answer.holds = goal.kind == GoalKind::reach && !late;
-        answer.text = fmt::format("{}: reached after {:.2f} s", goal.name, *answer.time_s);
+        answer.text = fmt::format("{}: reached after {:.2f} s", name, *answer.time_s);
         if (late) answer.text += fmt::format(", expected within {} s; {}", *goal.within_s, effort);
         if (goal.kind == GoalKind::never) {
             answer.text += ", expected never";
@@ -42,7 +49,7 @@ GoalAnswer answer(const ReachSearch& search, std::size_t index) {
         return answer;
     }
     answer.holds = goal.kind == GoalKind::never;
-    answer.text = fmt::format("{}: not reached after {}", goal.name, effort);
+    answer.text = fmt::format("{}: not reached after {}", name, effort);
     if (answer.holds) return answer;
     if (auto miss = search.nearest_miss_of_point(goal.position, goal.radius)) {
         answer.text += fmt::format("; {:.2f} m short", miss->distance_m);
@@ -57,12 +64,18 @@ GoalAnswer answer(const ReachSearch& search, std::size_t index) {
 Result<std::vector<GoalAnswer>> check_goals(const Level& level, const Vec3& start,
                                             const ReachOptions& options, const ReachLimits& limits,
                                             Progress* progress) {
-    std::map<std::string, std::vector<std::size_t>> from;
+    // One search for all goals that begin alike.
+    std::map<std::pair<std::string, std::vector<std::string>>, std::vector<std::size_t>> alike;
     for (std::size_t i = 0; i < level.goals.size(); ++i)
-        from[level.goals[i].from].push_back(i);
+        alike[{level.goals[i].from, level.goals[i].settings}].push_back(i);
     std::vector<GoalAnswer> answers;
-    for (const auto& [name, goals] : from) {
+    for (const auto& [begins, goals] : alike) {
+        const auto& [name, settings] = begins;
         Level own = level;
+        for (const std::string& setting : settings)
+            if (const Status status = set_setting(own.movement, setting); !status)
+                return Error{fmt::format("goal \"{}\"", level.goals[goals.front()].name),
+                             status.error().message};
         own.goals.clear();
         for (const std::size_t goal : goals)
             own.goals.push_back(level.goals[goal]);
@@ -76,11 +89,18 @@ Result<std::vector<GoalAnswer>> check_goals(const Level& level, const Vec3& star
         if (!search) return search.error();
         ReachLimits until = limits;
         until.until_goals = true;
-        search->run(until, progress);
-        for (std::size_t i = 0; i < goals.size(); ++i) {
-            answers.push_back(answer(*search, i));
-            answers.back().goal = goals[i];
+        std::vector<GoalAnswer> own_answers;
+        // What is found a little late may be hurried; only if it is still late the search goes on.
+        for (const double late : {1.1, 1.0}) {
+            until.late = late;
+            search->run(until, progress);
+            own_answers.clear();
+            for (std::size_t i = 0; i < goals.size(); ++i)
+                own_answers.push_back(answer(*search, i));
+            if (std::ranges::all_of(own_answers, &GoalAnswer::holds) || !search->goals_reached(late)) break;
         }
+        for (std::size_t i = 0; i < goals.size(); ++i)
+            answers.emplace_back(std::move(own_answers[i])).goal = goals[i];
     }
     std::sort(answers.begin(), answers.end(),
               [](const GoalAnswer& a, const GoalAnswer& b) { return a.goal < b.goal; });

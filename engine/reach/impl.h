@@ -28,8 +28,9 @@ struct ReachSearch::Impl {
     std::vector<Harvest> roll_out_in_team(std::span<const Pick> picks, Team& team, bool& time_is_over) const;
     void merge(const Harvest& harvest, NodeId from, ReachRound& news, bool& productive);
     void enqueue(NodeId node, std::size_t cost);
+    std::size_t face_of(const PlayerState& state) const;
     std::size_t first_cost(const PlayerState& state) const;
-    bool goals_reached() const;
+    bool goals_reached(double late) const;
     // Hash of everything that a search depends on: geometry, types, platforms, settings, start, options,
     // program.
     std::uint64_t identity() const;
@@ -55,7 +56,7 @@ struct ReachSearch::Impl {
     std::unordered_map<std::uint64_t, std::uint32_t> exit_at;
     std::vector<ReachRound> rounds;
     std::uint64_t steps = 0;
-    std::vector<std::uint32_t> face_cells;   // [face, then all else] cells on it
+    std::vector<std::uint32_t> face_cells;   // [face, then all else] cells on or at it
     std::vector<std::vector<NodeId>> queue;  // [cost] nodes to roll out from, the first ones first
     std::vector<std::size_t> queue_begin;    // [cost] of them that were taken
     mutable std::mutex mutex;

@@ -271,9 +271,8 @@ class ReachSearch::Impl::LinkFinder {
                 propose(to, {*arrival, tick, node, {presses.begin(), presses.end()}});
         };
         Harvest ignored;
-        // More buttons make pairs of visits.
-        const bool more = buttons_read(impl_.world.level->movement) != ButtonSet(Button::jump);
-        roll_out(impl_.world, scenes, impl_.known(), node, 0, more ? 2 * link_visits : link_visits, ignored,
+        const bool pairs = buttons_at_moments(impl_.world.level->movement).bits != 0;
+        roll_out(impl_.world, scenes, impl_.known(), node, 0, pairs ? 2 * link_visits : link_visits, ignored,
                  &watch);
     }
 

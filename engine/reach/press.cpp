@@ -33,6 +33,13 @@ Vec2 direction_vector(std::uint32_t direction) {
     return all[direction % press_directions];
 }
 
+std::uint8_t stick_towards(const Vec2& way) {
+    std::uint32_t nearest = 0;
+    for (std::uint32_t direction = 1; direction < press_directions; ++direction)
+        if (direction_vector(direction).dot(way) > direction_vector(nearest).dot(way)) nearest = direction;
+    return full_stick(nearest);
+}
+
 PlayerInput input_of(const Press& press) {
     const double strength = strengths[press.stick / press_directions];
     PlayerInput input;

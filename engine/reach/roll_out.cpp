@@ -57,7 +57,7 @@ class Roller {
           settings_(world.level->movement),
           dt_(world.options.dt),
           in_air_(jumps_in_air(settings_)),
-          others_(buttons_read(settings_)),
+          others_(buttons_at_moments(settings_)),
           flight_(static_cast<std::uint32_t>(
               std::clamp(2.0 * settings_.jump_speed / std::max(settings_.gravity * dt_, 1e-9), 3.0,
                          1.0 * longest_flight))),
@@ -66,9 +66,7 @@ class Roller {
           from_(from),
           returns_(known.archive.nodes[from].returns),
           harvest_(harvest),
-          watcher_(watcher) {
-        others_.set(Button::jump, false);
-    }
+          watcher_(watcher) {}
 
     Cursor begin() const {
         const ReachNode& node = known_.archive.nodes[from_];
@@ -87,11 +85,13 @@ class Roller {
         ButtonSet held(Button::jump, jump);
         const std::uint32_t age = cursor.tick - known_.archive.nodes[from_].tick;
         for (const Pulse& pulse : pulses_)
-            if (age >= pulse.begin && age < pulse.end) held = held | pulse.button;
+            if (const std::uint32_t came = came_[pulse.moment];
+                age >= came && age - came >= pulse.delay && age - came - pulse.delay < pulse.length)
+                held.bits ^= pulse.button.bits;
         const auto buttons = static_cast<std::uint8_t>(held.bits);
         if (!cursor.alive || !press(cursor, stick, buttons)) return cursor.alive = false;
         const MovementScene& now = scenes_.at(cursor.tick);
-        const bool rose = cursor.state.velocity.y() > 0.0;
+        const bool rose = cursor.state.velocity.y() > 0.0, was_held = is_held(cursor.state);
         const TickResult result =
             play_tick(now, settings_, cursor.state, input_of({1, stick, buttons}), dt_, world_.start);
         ++harvest_.steps;
@@ -104,6 +104,7 @@ class Roller {
         }
         cursor.state = result.state;
         note(cursor, now, rose);
+        see_moments(cursor.state, was_held, rose, age + 1);
         if (watcher_ != nullptr)
             (*watcher_)(now, cursor.state, std::span(cursor.presses).first(cursor.count), cursor.tick);
         return true;
@@ -126,6 +127,17 @@ class Roller {
         const double seconds = world_.moving[i].until_next(cursor.tick * dt_);
         if (seconds > 0.0)
             go(cursor, static_cast<std::uint32_t>(seconds / dt_) + 1, stick_at_rest, false, false);
+    }
+
+    // Walks towards a goal that is not reached yet.
+    void aim(Cursor cursor, ReachRandom& random) {
+        if (world_.goals.empty()) return;
+        const std::size_t goal = random.below(static_cast<std::uint32_t>(world_.goals.size()));
+        constexpr std::uint32_t legs = 12, leg_ticks = 15;
+        for (std::uint32_t leg = 0; leg < legs && !known_.goals[goal].found(); ++leg) {
+            const Vec3 way = world_.goals[goal] - position_in_scene(scenes_.at(cursor.tick), cursor.state);
+            if (!go(cursor, leg_ticks, stick_towards({way.x(), way.z()}), false, false)) return;
+        }
     }
 
     // A press of jump, held for `hold` ticks; steered by `stick`, after `turn` ticks by `then`.
@@ -236,9 +248,14 @@ class Roller {
         }
     }
 
-    // Where the settings read more buttons, each visit comes in pairs: without them and with some of them.
+    // Where the settings read more buttons, each visit comes in pairs: as it is, and with some of them, each
+    // pressed, or let go, for a time from a moment of the motion on. Most of what an ability reaches it
+    // reaches from there: a dash from the edge, a second jump from the top of the first.
     void visit_with_buttons(std::uint32_t number) {
         pulses_.fill({});
+        came_.fill(no_id);
+        came_[began] = 0;
+        pulsed_ = false;
         if (others_.bits == 0) return visit(number);
         if (number % 2 == 1) {
             ReachRandom random(mix(mix(world_.options.seed, from_), 0x10000 + number));
@@ -246,10 +263,12 @@ class Roller {
             for (const ButtonInfo& info : button_table()) {
                 if (!others_.has(info.button) || used == pulses_.size()) continue;
                 if (random.below(3) == 0) continue;
-                const std::uint32_t begin = random.below(2) * random.below(48);
+                const std::uint32_t moment = random.below(moments);
+                const std::uint32_t delay = random.below(2) * random.below(1U << random.below(6));
                 const std::uint32_t length = 1U << random.below(9);
-                pulses_[used++] = {info.button, begin, begin + length};
+                pulses_[used++] = {info.button, moment, delay, length};
             }
+            pulsed_ = used > 0;
         }
         visit(number / 2);
     }
@@ -263,7 +282,10 @@ class Roller {
         Cursor cursor = begin;
         if (!is_held(state)) {
             if (in_air_ && number < 16) {
-                const std::uint8_t way = full_stick(spread[number / 2]);
+                const bool off = number == 0 && state.ground_face != no_id;  // a wall: away from it
+                const std::uint8_t way =
+                    off ? stick_towards({state.ground_normal.x(), state.ground_normal.z()})
+                        : full_stick(spread[number / 2]);
                 if (number % 2 == 0) return jump(begin, way, longest_flight, longest_flight, way);
                 return void(go(cursor, longest_flight, way, false, true));
             }
@@ -278,7 +300,13 @@ class Roller {
         if (world_.changes() && number % 4 == 3)
             go(cursor, 6 + random.below(40), stick_at_rest, false, false);
         if (!cursor.alive) return;
-        if (number < 8) return void(go(cursor, state.grounded ? 16 : 40, main, false, false));
+        if (number == 0) aim(begin, random);
+        if (number < 8) {
+            go(cursor, state.grounded ? 16 : 40, main, false, false);
+            if (pulsed_ && cursor.alive && !is_held(cursor.state))
+                go(cursor, longest_flight, main, false, true);
+            return;
+        }
         if (!state.grounded) {
             if (number < 16) return jump(cursor, main, longest_flight, longest_flight, main);
         } else if (number < 24) {
@@ -348,6 +376,17 @@ class Roller {
             }
         }
         if (keeps) keep(cursor, now, news, no_id);
+    }
+
+    void see_moments(const PlayerState& state, bool was_held, bool rose, std::uint32_t age) {
+        const bool held = is_held(state);
+        const auto see = [&](Moment moment, bool comes) {
+            if (comes && came_[moment] == no_id) came_[moment] = age;
+        };
+        see(left_ground, was_held && !held);
+        see(topped, !held && rose && state.velocity.y() <= 0.0);
+        see(met_wall, !held && state.ground_face != no_id);
+        see(landed, !was_held && held);
     }
 
     bool is_faster(const Cursor& cursor, const Reached& known) const {
@@ -445,12 +484,15 @@ class Roller {
     double dt_;
     bool in_air_;       // jumps start in the air, too
     ButtonSet others_;  // that the settings read beside jump
-    // Buttons that a visit holds for a time, in ticks since it began.
+    // Buttons that a visit presses, or lets go, for a time: ticks after the first moment of a kind.
+    enum Moment : std::uint32_t { began, left_ground, topped, met_wall, landed, moments };
     struct Pulse {
         ButtonSet button{};
-        std::uint32_t begin = 0, end = 0;
+        std::uint32_t moment = began, delay = 0, length = 0;
     };
-    std::array<Pulse, 4> pulses_{};
+    std::array<Pulse, 5> pulses_{};
+    std::array<std::uint32_t, moments> came_{};  // [moment] ticks since the visit began; no_id: not yet
+    bool pulsed_ = false;
     std::uint32_t flight_;  // ticks of a jump over level ground
     TickScenes& scenes_;
     const ReachKnown& known_;
@@ -547,6 +589,12 @@ bool ReachWorld::is_home(const MovementScene& scene, const PlayerState& state) c
     const Vec3 apart = position_in_scene(scene, state) - home;
     return std::abs(apart.y()) < level->movement.radii.y() &&
            Vec2(apart.x(), apart.z()).squaredNorm() < std::max(1.0, cell_m * cell_m);
+}
+
+ButtonSet buttons_at_moments(const MovementSettings& settings) {
+    ButtonSet buttons = buttons_read(settings);
+    buttons.set(Button::jump, jumps_in_air(settings));
+    return buttons;
 }
 
 void roll_out(const ReachWorld& world, TickScenes& scenes, const ReachKnown& known, NodeId from,

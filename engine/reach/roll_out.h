@@ -101,6 +101,9 @@ class TickScenes {
 using TickWatcher = std::function<void(const MovementScene& scene, const PlayerState& state,
                                        std::span<const Press> presses, std::uint32_t tick)>;
 
+// The buttons that the second visit of each pair presses when something happens; none: visits are no pairs.
+ButtonSet buttons_at_moments(const MovementSettings& settings);
+
 // Rolls out from `from`, its visits number `first` to `last` - 1. The same arguments give the same harvest.
 void roll_out(const ReachWorld& world, TickScenes& scenes, const ReachKnown& known, NodeId from,
               std::uint32_t first, std::uint32_t last, Harvest& harvest,

@@ -158,10 +158,13 @@ Status ReachSearch::Impl::prepare(const Level& level, const Vec3& from, const Re
     return {};
 }
 
+// The face that holds the player or that it touches; else that of all else.
+std::size_t ReachSearch::Impl::face_of(const PlayerState& state) const {
+    return std::min<std::size_t>(state.ground_face, faces.size());
+}
+
 std::size_t ReachSearch::Impl::first_cost(const PlayerState& state) const {
-    const std::size_t on = std::min<std::size_t>(state.ground_face, faces.size());
-    const auto crowd =
-        static_cast<std::size_t>(std::bit_width(face_cells[is_held(state) ? on : faces.size()]));
+    const auto crowd = static_cast<std::size_t>(std::bit_width(face_cells[face_of(state)]));
     return std::min<std::size_t>(8, crowd / 2) + (is_held(state) ? 0 : 4);
 }
 
@@ -169,12 +172,12 @@ void ReachSearch::Impl::enqueue(NodeId node, std::size_t cost) {
     queue[std::min(cost, max_cost - 1)].push_back(node);
 }
 
-bool ReachSearch::Impl::goals_reached() const {
+bool ReachSearch::Impl::goals_reached(double late) const {
     const std::vector<Goal>& wanted = world.level->goals;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         if (wanted[i].kind == GoalKind::never) return false;
         if (!goals[i].found()) return false;
-        if (wanted[i].within_s && goals[i].tick * world.options.dt > *wanted[i].within_s) return false;
+        if (wanted[i].within_s && goals[i].tick * world.options.dt > late * *wanted[i].within_s) return false;
     }
     return true;
 }
@@ -207,8 +210,7 @@ void ReachSearch::Impl::merge(const Harvest& harvest, NodeId from, ReachRound& n
         if (new_cell) {
             ++news.cells;
             productive |= is_held(state);
-            ++face_cells[is_held(state) ? std::min<std::size_t>(state.ground_face, faces.size())
-                                        : faces.size()];
+            ++face_cells[face_of(state)];
         }
         const NodeId id = archive.add(found.node, motion);
         if (new_face) faces[found.face] = {id, found.node.tick};
@@ -322,7 +324,7 @@ void ReachSearch::run(const ReachLimits& limits, Progress* progress) {
         if (limits.rounds && impl_->rounds.size() >= *limits.rounds) break;
         const bool time_is_over = limits.seconds > 0.0 && seconds >= limits.seconds;
         if (time_is_over && limits.team == nullptr) break;
-        if (limits.until_goals && impl_->goals_reached()) break;
+        if (limits.until_goals && impl_->goals_reached(limits.late)) break;
         const double by_rounds =
             limits.rounds ? static_cast<double>(impl_->rounds.size()) / static_cast<double>(*limits.rounds)
                           : 0.0;
@@ -331,6 +333,10 @@ void ReachSearch::run(const ReachLimits& limits, Progress* progress) {
         if (limits.after_round && (limits.team == nullptr || limits.team->rank() == 0))
             limits.after_round(*this);
     }
+}
+
+bool ReachSearch::goals_reached(double late) const {
+    return impl_->goals_reached(late);
 }
 
 const Level& ReachSearch::level() const {

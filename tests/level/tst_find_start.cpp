@@ -354,7 +354,12 @@ TEST(Spawns, BadOnesAreRefusedWithTheirLocation) {
 
 TEST(Goals, SurviveTheFileWithTheirUnknownKeys) {
     Level level = level_of(tiles(1));
-    Goal roof{.name = "roof", .position = {1, 2, 3}, .radius = 0.5, .within_s = 20.0, .from = "door"};
+    Goal roof{.name = "roof",
+              .position = {1, 2, 3},
+              .radius = 0.5,
+              .within_s = 20.0,
+              .from = "door",
+              .settings = {"dash=off", "jump_speed=7"}};
     Goal outside{
         .name = "outside", .kind = GoalKind::never, .position = {-4, 5, 6}, .within_s = {}, .from = {}};
     level.goals = {roof, outside};
@@ -387,6 +392,8 @@ TEST(Goals, BadOnesAreRefusedWithTheirLocation) {
     EXPECT_THAT(error(R"("name": "b", "position": [0, 0, 0], "radius": 0)"), HasSubstr("/goals/1/radius"));
     EXPECT_THAT(error(R"("name": "b", "position": [0, 0, 0], "kind": "never", "within_s": 3)"),
                 HasSubstr("/goals/1/within_s"));
+    EXPECT_THAT(error(R"("name": "b", "position": [0, 0, 0], "settings": ["air_jump=on", "dash=maybe"])"),
+                AllOf(HasSubstr("/goals/1/settings/1"), HasSubstr("expected on or off")));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "reach/known_scenes.h"
 #include "slipface/reach/grades.h"
+#include "slipface/reach/report.h"
 
 namespace slipface::test {
 namespace {
@@ -41,6 +42,31 @@ TEST(ReachAbilities, ALedgeThatOnlyADoubleJumpReaches) {
         // The body's round foot is lifted over a rim by less than its height.
         EXPECT_FALSE(reaches(gap_scene(s, 0.5, two + s.radii.y() + s.step_height, yaw), seed, 12));
     }
+}
+
+TEST(ReachAbilities, GoalsSayWithoutWhichAbilityTheyHold) {
+    std::mt19937_64 random(1);
+    MovementSettings s = jumper(random);
+    s.air_jump_speed = s.jump_speed;
+    s.air_jump = true;
+    ReachScene scene = gap_scene(s, 0.5, 1.8 * height_of(s.jump_speed, s), 0.0);
+    Goal up{.name = "up", .position = scene.target + Vec3(0, s.radii.y(), 0), .within_s = {}, .from = {}};
+    Goal only{up};
+    only.name = "only by it";
+    only.kind = GoalKind::never;
+    only.settings = {"air_jump=off"};
+    Goal without{up};
+    without.name = "without it";
+    without.settings = only.settings;
+    scene.level.goals = {up, only, without};
+    ReachLimits limits;
+    limits.rounds = 60;
+    const auto answers = check_goals(scene.level, scene.start, {}, limits);
+    ASSERT_TRUE(answers.ok()) << answers.error().text();
+    EXPECT_TRUE((*answers)[0].holds) << (*answers)[0].text;
+    EXPECT_TRUE((*answers)[1].holds) << (*answers)[1].text;
+    EXPECT_FALSE((*answers)[2].holds) << (*answers)[2].text;
+    EXPECT_NE((*answers)[2].text.find("without it (air_jump=off)"), std::string::npos) << (*answers)[2].text;
 }
 
 TEST(ReachAbilities, AGapThatOnlyADoubleJumpCrosses) {

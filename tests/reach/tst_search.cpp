@@ -341,6 +341,58 @@ TEST(ReachGoals, HoldOrBreakAndSayWhy) {
     EXPECT_NE(unknown.error().text().find("\"nowhere\""), std::string::npos);
 }
 
+// Seconds from the start until the centre is `radius` away from the last of `by`, with the stick held towards
+// each in turn; the others are passed where their z is.
+double sprint_s(const ReachScene& scene, const std::vector<Vec3>& by, double radius) {
+    LevelScene built = LevelScene::build(scene.level).value();
+    const MovementScene now = built.at(0.0);
+    PlayerState state = built.player_at(scene.start);
+    std::size_t next = 0;
+    for (int tick = 1; tick < 3600; ++tick) {
+        const Vec3 way = by[next] - state.position;
+        state =
+            step(now, scene.level.movement, state, {Vec2(way.x(), way.z()).normalized(), {}}, tick_s).state;
+        if (next + 1 == by.size() ? (by[next] - state.position).norm() <= radius
+                                  : state.position.z() <= by[next].z())
+            if (++next == by.size()) return tick * tick_s;
+    }
+    return 1e9;
+}
+
+TEST(ReachGoals, LimitsOfTimeAreTrueToAPerCent) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937_64 random(seed);
+        const auto in = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
+        const MovementSettings s = random_settings(random);
+        const double height = s.radii.y() + s.skin, wall = in(1.0, 6.0);
+        Shapes shapes;
+        shapes.box({-15, -1, -25}, {15, 0, 25});
+        if (seed % 2 == 0) shapes.box({-14, 0, -0.5}, {wall, 6, 0.5});
+        ReachScene scene{shapes.level(), Vec3(in(-5, 5), height, in(12, 22)),
+                         Vec3(in(-5, 5), height, in(-22, -12))};
+        scene.level.movement = s;
+        scene.level.spawn = scene.start;
+        std::vector<Vec3> by;
+        const double beside = wall + s.radii.x() + 0.01;
+        if (seed % 2 == 0) by = {{beside, height, 0.5}, {beside, height, -0.5}};
+        by.push_back(scene.target);
+        Goal goal{.name = "there", .position = scene.target, .radius = 0.5, .within_s = {}, .from = {}};
+        const double fastest = sprint_s(scene, by, goal.radius);
+        ReachLimits limits;
+        limits.rounds = 60;
+        for (const double share : {1.01, 0.97}) {
+            goal.within_s = share * fastest;
+            scene.level.goals = {goal};
+            const auto answers = check_goals(scene.level, scene.start, {}, limits);
+            ASSERT_TRUE(answers.ok());
+            EXPECT_EQ(answers->front().holds, share > 1.0) << fastest << " s: " << answers->front().text;
+        }
+    }
+}
+
 TEST(ReachReports, TellWhatASettingGainsAndLoses) {
     const MovementSettings settings;
     ReachScene scene = gap_scene(settings, 0.8 * max_possible(settings, false, 4), 0.0, 0.0);

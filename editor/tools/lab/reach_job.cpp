@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "slipface/level/find_start.h"
 #include "tools/editor.h"
@@ -290,11 +291,24 @@ std::string goal_name_problem(const Document& document, std::size_t index, const
     return {};
 }
 
+Result<std::vector<std::string>> goal_settings(const std::string& text) {
+    std::vector<std::string> settings;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        MovementSettings movement;
+        if (const Status status = set_setting(movement, word); !status) return status.error();
+        settings.push_back(word);
+    }
+    return settings;
+}
+
 std::string goal_state(const Editor& editor, std::size_t index) {
     if (!editor.reach || !editor.reach->report() || !editor.reach->fits(*editor.document) ||
         !editor.reach->fits_goals(*editor.document))
         return {};
     const Goal& goal = editor.document->level().goals[index];
+    // The panel searches from the spawn under the level's own settings.
+    if (!goal.from.empty() || !goal.settings.empty()) return "by reach --check";
     for (const ReachReport::NamedGoal& one : editor.reach->report()->goals) {
         if (one.name != goal.name) continue;
         if (!one.time_s) return goal.kind == GoalKind::never ? "holds" : "not reached";

@@ -101,6 +101,8 @@ void move_goal(Editor& editor, std::size_t index);  // likewise
 void change_goal(Editor& editor, std::size_t index, const Goal& goal);
 void remove_goal(Editor& editor, std::size_t index);
 std::string goal_name_problem(const Document& document, std::size_t index, const std::string& name);
+// "dash=off glide=off", as for --set: a list, or the error of the first that is none.
+Result<std::vector<std::string>> goal_settings(const std::string& text);
 // "reached after 3.20 s", "not reached", "never, and reached after 2.10 s"; empty: not known.
 std::string goal_state(const Editor& editor, std::size_t index);
 

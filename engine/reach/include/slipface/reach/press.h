@@ -26,6 +26,8 @@ inline std::uint8_t full_stick(std::uint32_t direction) {
 
 // Unit vector of a direction, by square roots alone: the same bits everywhere.
 Vec2 direction_vector(std::uint32_t direction);
+// The full stick in the direction nearest to `way`.
+std::uint8_t stick_towards(const Vec2& way);
 PlayerInput input_of(const Press& press);
 
 }  // namespace slipface

@@ -60,6 +60,7 @@ struct ReachLimits {
     std::optional<std::uint64_t> rounds;  // in all, those of a resumed search included
     double seconds = 0.0;                 // from now on; 0: no limit
     bool until_goals = false;             // ends when every goal to be reached is, and none must never be
+    double late = 1.0;                    // times Goal::within_s: then it is reached for `until_goals`
     // Processes that search together: each runs the same search and rolls out its part of every round. The
     // bytes are those of one process; rank 0 decides when the seconds are over.
     Team* team = nullptr;
@@ -90,6 +91,7 @@ class ReachSearch {
     // Rounds until a limit is met, the search is cancelled, or nothing is left to try.
     void run(const ReachLimits& limits, Progress* progress = nullptr);
     bool exhausted() const;
+    bool goals_reached(double late = 1.0) const;  // as ReachLimits::until_goals asks
 
     const Level& level() const;
     const ReachOptions& options() const;
@@ -106,6 +108,9 @@ class ReachSearch {
     // The inputs that lead to a node, and some after it; replayed and compared with what the search holds, so
     // nothing is a proof that does not repeat. Nothing if it does not.
     std::optional<Tape> tape_to(NodeId node) const;
+    // A way to a goal, shortened from the one that was found: within a per cent of the shortest where that is
+    // known. Nothing: the goal was not reached. Takes some seconds.
+    std::optional<Tape> hurried_tape_to(std::size_t goal) const;
     Tape tape_of(const ReachExit& exit) const;
     Vec3 position_of(NodeId node) const;  // in the level's coordinates
 
