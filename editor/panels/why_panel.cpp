@@ -65,7 +65,7 @@ void headline(Editor& editor, const Stop* stop) {
     }
     if (ui::button("Look there", "Move the camera there")) go_to_stop(editor, *stop);
     ui::flow(ui::button_width("Read more"));
-    symptom_button(editor, symptom_of(*stop));
+    symptom_button(editor, stop->symptom);
 }
 
 // A row of a list: when, and what. True if it was clicked.

@@ -11,7 +11,7 @@ namespace {
 
 struct CauseInfo {
     const char* name;
-    const char* symptom;
+    const char* symptom;  // where no sentence below names another
 };
 // In the order of the enum.
 constexpr std::array<CauseInfo, 17> causes{{
@@ -23,13 +23,13 @@ constexpr std::array<CauseInfo, 17> causes{{
     {"gap", "Player is wedged between two walls"},
     {"corner", "Player gets stuck in a corner"},
     {"sticky", "Player hangs on a wall or ceiling and does not let go"},
-    {"carried", "Conveyor belt does not carry the player"},
+    {"carried", "Belt, ice or trampoline carries the player off"},
     {"slippery", "Slope is too slippery to walk up"},
-    {"platform", "Player is crushed by a platform"},
+    {"platform", "Player is stopped or pushed off by a moving platform"},
     {"ladder end", "Player gets stuck at the top of a ladder"},
     {"inside", "Player spawns inside a wall and cannot move"},
     {"terrain", "Player cannot walk up a slope"},
-    {"hazard", "Lava or spikes do not kill the player"},
+    {"hazard", "Player is suddenly back at the start"},
     {"crushed", "Player is crushed by a platform"},
     {"fall", "Player falls out of the level"},
 }};
@@ -40,17 +40,14 @@ const char* stop_cause_name(StopCause cause) {
     return causes[static_cast<std::size_t>(cause)].name;
 }
 
-const char* symptom_of(const Stop& stop) {
-    if (stop.fall == FallCause::not_solid || stop.fall == FallCause::one_sided)
-        return "Player falls through the floor";
-    if (stop.fall == FallCause::too_short) return "Gap is too wide to jump";
-    return causes[static_cast<std::size_t>(stop.loss.cause)].symptom;
-}
-
 // A wall that took less of the motion was slid along.
 constexpr double face_on = 0.97;
+// Up to here an edge is a bump and no step, in metres.
+constexpr double bump = 0.1;
+
 void write_headline(Stop& stop, const MovementSettings& settings, const StoryNames& names) {
     const Loss& loss = stop.loss;
+    stop.symptom = causes[static_cast<std::size_t>(loss.cause)].symptom;
     Words words(stop.headline, stop.numbers);
     const std::string what = thing_text(names, loss.face);
     // The feet stand a skin above the floor.
@@ -84,14 +81,17 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
             if (loss.in_air) {
                 words.say("The edge of ").say(what).say(" stopped you in the air, ");
                 words.size(height).say(" above your feet");
+                stop.symptom = "Jump is not high enough";
                 break;
             }
             words.say("The ").size(loss.top_m > 0.0 ? loss.top_m : height).say(" edge of ").say(what);
             words.say(" stopped you");
             if (!settings.step_up) {
                 words.say(": Step up is off");
+                if (height < bump) stop.symptom = "Player stops at a tiny bump on the floor";
             } else if (std::max(height, loss.top_m) > settings.step_height) {
                 words.say(": higher than Step height, ").size(settings.step_height);
+                stop.symptom = "One step of the stairs is too high";
             } else {
                 because();
             }
@@ -105,6 +105,7 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
                 !(loss.clearance_m < 2.0 * settings.radii.y())) {
                 words.say(what).say(" leaves no room to step up below it; you are ");
                 words.size(2.0 * settings.radii.y()).say(" tall");
+                stop.symptom = "Stairs under a low ceiling stop the player";
                 break;
             }
             // A ceiling that slopes, or that is met on a ladder, leaves enough where it is touched first.
@@ -119,6 +120,7 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
             if (loss.top_m > 0.0 && loss.hole) {
                 words.say("A hole before ").say(what).say(" stopped you: no ground between it and ");
                 words.say(thing_text(names, loss.other)).say(", and it is ").size(loss.top_m).say(" higher");
+                stop.symptom = "Gap is too wide to jump";
                 break;
             }
             words.say("You are held between ").say(what).say(" and ").say(thing_text(names, loss.other));
@@ -160,30 +162,36 @@ void write_headline(Stop& stop, const MovementSettings& settings, const StoryNam
         case StopCause::fall:
             if (stop.fall == FallCause::not_solid) {
                 words.say("You fell through ").say(what).say(": its type is not solid");
+                stop.symptom = "Player falls through the floor";
                 break;
             }
             if (stop.fall == FallCause::one_sided) {
                 words.say("You fell through ").say(what).say(": it holds from its front only");
+                stop.symptom = "Player falls through the floor";
                 break;
             }
             if (stop.fall == FallCause::cut_short) {
                 words.say(what).say(" cut the jump short: without it you would have landed on ");
                 words.say(thing_text(names, loss.other));
+                stop.symptom = "Jump stops at something above";
                 break;
             }
             if (stop.fall == FallCause::by_type) {
                 words.say("You fell because of the type `");
                 words.say(loss.surface < names.surfaces.size() ? names.surfaces[loss.surface].name : "");
                 words.say("` of ").say(what).say(": on plain ground you would have stayed");
+                stop.symptom = "Belt, ice or trampoline carries the player off";
                 break;
             }
             if (stop.fall == FallCause::pushed) {
                 words.say(what).say(" pushed you off ");
                 words.say(thing_text(names, loss.other));
+                stop.symptom = "Player is stopped or pushed off by a moving platform";
                 break;
             }
             if (stop.fall == FallCause::too_short) {
                 words.say("The jump from ").say(what);
+                stop.symptom = stop.low_m > 0.0 ? "Jump is not high enough" : "Gap is too wide to jump";
                 if (stop.low_m > 0.0)
                     words.say(" was ").size(stop.low_m).say(" too low for ");
                 else

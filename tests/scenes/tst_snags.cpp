@@ -9,9 +9,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <regex>
 
 #include "default_snags.h"
 #include "other_snags.h"
+#include "slipface/base/files.h"
 #include "slipface/repair/repairs.h"
 
 namespace slipface::test {
@@ -58,8 +60,33 @@ bool tells_size(const Snag& snag, const Stop& stop) {
            });
 }
 
+// The sections of docs/symptoms.md that quote the headline: what stands between "…" and numbers is in it, in
+// that order.
+std::set<std::string> sections_that_quote(const std::string& headline) {
+    static const std::string page = *read_file(SLIPFACE_SOURCE_DIR "/docs/symptoms.md");
+    static const std::regex part("\\n### ([^\\n]+)\\n|\\*Why panel\\*: |\"([^\"]+)\"|\\n- \\*\\*Cure"),
+        gap("…|[0-9.]+( m+)?");
+    std::set<std::string> titles;
+    std::string title;
+    bool of_why = false;
+    for (std::sregex_iterator at(page.begin(), page.end(), part), end; at != end; ++at) {
+        const std::string found = at->str(), quote = (*at)[2];
+        if ((*at)[1].matched) title = (*at)[1];
+        of_why = quote.empty() ? found.starts_with("*Why") : of_why;
+        if (!of_why || quote.empty()) continue;
+        std::size_t from = 0;
+        for (std::sregex_token_iterator piece(quote.begin(), quote.end(), gap, -1), last;
+             piece != last && from != headline.npos; ++piece) {
+            from = headline.find(piece->str(), from);
+            if (from != headline.npos) from += piece->str().size();
+        }
+        if (from != headline.npos) titles.insert(title);
+    }
+    return titles;
+}
+
 struct Score {
-    int snags = 0, headlines = 0, cures = 0;
+    int snags = 0, headlines = 0, cures = 0, quoted = 0;
 };
 
 void judge(const Snag& snag, Score& score) {
@@ -71,6 +98,10 @@ void judge(const Snag& snag, Score& score) {
     std::string headline = "-", cure = "-";
     if (const Stop* stop = headline_stop(as_is.stops)) {
         headline = stop->headline;
+        if (const std::set<std::string> titles = sections_that_quote(headline); !titles.empty()) {
+            ++score.quoted;
+            EXPECT_TRUE(titles.contains(stop->symptom)) << headline << " leads to " << stop->symptom;
+        }
         const Mesh& mesh = *snag.level.mesh;
         const bool face =
             snag.group.empty() || (stop->loss.face != no_id && stop->loss.face < mesh.face_count() &&
@@ -117,6 +148,7 @@ TEST(Snags, TheHeadlineIsRightAndTheFirstCureWorks) {
                 sum->snags += one.snags;
                 sum->headlines += one.headlines;
                 sum->cures += one.cures;
+                sum->quoted += one.quoted;
             }
         }
     }
@@ -126,6 +158,7 @@ TEST(Snags, TheHeadlineIsRightAndTheFirstCureWorks) {
     std::printf("%d snags, %d right headlines, %d first cures that work\n", score.snags, score.headlines,
                 score.cures);
     EXPECT_GE(score.snags, 40);
+    EXPECT_GE(score.quoted, 0.5 * score.snags);
     EXPECT_GE(score.headlines, 0.95 * score.snags);
     EXPECT_GE(score.cures, 0.90 * score.snags);
 }

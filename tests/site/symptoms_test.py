@@ -101,9 +101,11 @@ for section in sections:
 
 # What Why and the doctor lead to.
 titles = {section.split("\n", 1)[0] for section in sections}
-linked = re.findall(r'(?:^    \{"[\w ]+", |return )"([A-Z][^"]+)"[};]', (source / "engine/sim/stop_headline.cpp").read_text(), re.M) + re.findall(
+headlines = (source / "engine/sim/stop_headline.cpp").read_text()
+linked = re.findall(r'^    \{"[\w ]+", "([^"]+)"\}', headlines, re.M) + [
+    title for line in re.findall(r"stop\.symptom = (.*?);", headlines) for title in re.findall(r'"([^"]+)"', line)] + re.findall(
     r'"([^"]+)"\},\n', (source / "engine/doctor/doctor.cpp").read_text().split("};\nstatic_assert")[0])
-check("the program", len(linked) >= 17 + 11, f"{len(linked)} causes and problems lead here")
+check("the program", len(linked) >= 17 + 12 + 11, f"{len(linked)} causes and problems lead here")
 for title in linked:
     check("the program", title in titles, f'"{title}" is no section of the page')
 

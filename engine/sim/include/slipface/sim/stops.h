@@ -79,6 +79,7 @@ struct Stop {
     std::vector<FaceId> held_by = {};  // without these faces the player gets on; empty: not known
     std::string headline = {};         // "The 0.2 m edge of `stairs` (face 12) stopped you: Step up is off"
     std::vector<StoryNumber> numbers = {};  // of the headline
+    const char* symptom = "";               // the title of its section in docs/symptoms.md
 };
 
 // The stops of a run, in order: neighbouring ticks in which the run made less than half of the motion that
@@ -96,9 +97,6 @@ std::vector<Stop> find_stops(const TickScene& scene, const TapeRun& run, const L
 
 // The same from the traces alone, without trying: for counting.
 std::vector<Stop> count_stops(const TickScene& scene, const TapeRun& run, const StoryNames& names);
-
-// The title of the stop's section in docs/symptoms.md.
-const char* symptom_of(const Stop& stop);
 
 // The stop to look at first: the last one, or the first after which the tape goes on blindly; null if there
 // is none.
