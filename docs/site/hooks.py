@@ -164,6 +164,15 @@ def weight_of(location):
     return next(weight for start, weight in weights if location.startswith(start))
 
 
+def read_asked(config):
+    """[address, wordings] of each line of asked.txt."""
+    for line in (pathlib.Path(config["config_file_path"]).parent / "asked.txt").read_text().splitlines():
+        if line and not line.startswith("#"):
+            place, wordings = line.split(": ", 1)
+            page, hash_sign, anchor = place.partition("#")
+            yield (page if page == "index" or page.isupper() else f"docs/{page}") + ".html" + hash_sign + anchor, wordings
+
+
 def on_post_build(config):
     """The index of docs/site/search.js: each section, setting and command once, as plain text."""
     index = pathlib.Path(config["site_dir"]) / "search" / "search_index.json"
@@ -201,6 +210,11 @@ def on_post_build(config):
             location = page.replace(".md", ".html#") + row.anchor
             sections.append({"location": location, "title": f"{row.label} ({row.name})", "names": [row.name.lower(), row.label.lower()],
                              "page": pages[page.replace(".md", ".html")]["title"], "text": text, "weight": weight_of(location)})
+    for place, wordings in read_asked(config):
+        section = next((section for section in sections if section["location"] == place), None)
+        if section is None:
+            raise PluginError(f"docs/site/asked.txt: there is no {place}")
+        section["asked"] = "; ".join(filter(None, [section.get("asked"), wordings]))
     data["docs"] = sections
     index.write_text(json.dumps(data, ensure_ascii=False))
     # The same for pages that are opened as files, where a page may load a script but not fetch JSON.

@@ -146,7 +146,47 @@
     flip inverted normal winding
     hole gap leak
     quake bsp shader
-    gamepad controller joystick`;
+    gamepad controller joystick
+    viewport view pane
+    object prop entity instance prefab
+    zoom focus frame centre center fit
+    delete remove erase clear
+    duplicate copy clone paste
+    compile build make
+    library package dependency module sdk
+    crash freeze hang
+    error fail failure warning
+    exit return code status
+    ignore mask exclude except region
+    machine computer pc
+    thread parallel multithread multithreading concurrent core
+    ray linecast trace
+    layer mask group filter
+    callback event listener signal notify
+    interpolate interpolation smooth lerp between
+    cost expensive price time
+    homework assignment exercise grade grading marks student
+    route path way shortest fastest speedrun
+    finish complete beat win beatable
+    bot walker random monkey npc
+    mac macos osx apple
+    linux debian ubuntu
+    phone mobile touch tablet
+    credit attribution notices
+    font text letter ui gui interface
+    dark night black
+    default standard factory
+    plan top above
+    animation clip skeleton rig
+    pebble stone rock
+    release version update upgrade
+    documentation manual help reference
+    display screen monitor headless
+    delay lag latency
+    push shove move
+    sheet list overview table
+    teach student lecture course lesson
+    rust ffi bindings`;
 
   function stem(word) {
     if (irregular.has(word)) word = irregular.get(word);
@@ -166,11 +206,19 @@
     return word.length > 3 ? word.replace(/e$/, "") : word;
   }
 
+  // Two words that are known as one are one: "key bindings", "check point".
+  function add(found, each) {
+    const before = found[found.length - 1];
+    const both = before && stem(before[0] + each[0]);
+    if (both && each[0].length > 2 && related.has(both)) found[found.length - 1] = [both, before[1], each[2]];
+    else found.push(each);
+  }
+
   // [stem, where the word begins, where it ends] of each word. A name such as step_up is its words, and StepUp, too.
   function words_of(text) {
     const found = [];
     for (const { 0: word, index } of text.matchAll(/[Ff]rame[ -]rates?|\p{L}+\.js\b|[cC](?:\+\+|#)|[\p{Lu}\d]?[\p{Ll}\d]+|[\p{Lu}\d]+/gu))
-      found.push([stem(word.toLowerCase().replace(/[ .-]/, "")), index, index + word.length]);
+      add(found, [stem(word.toLowerCase().replace(/[ .-]/, "")), index, index + word.length]);
     return found;
   }
 
@@ -243,18 +291,6 @@
       return this.postings.has(word) || related.has(word);
     }
 
-    // Two words that are known as one: "key bindings", "check point".
-    joined(typed) {
-      const found = [];
-      for (const each of typed) {
-        const before = found[found.length - 1];
-        const both = before && stem(before[0] + each[0]);
-        if (both && each[0].length > 2 && related.has(both)) found[found.length - 1] = [both, before[1], each[2]];
-        else found.push(each);
-      }
-      return found;
-    }
-
     // A word that no page has is two that are written as one, "autostep", or one with a slip of the finger.
     known(word) {
       if (this.knows(word) || word.length < 5) return [word];
@@ -280,7 +316,7 @@
     // Sections, best first: [{ section, score, stems }].
     find(query) {
       const whole = query.trim().toLowerCase(), text = query.replace(/['’]/g, "");
-      let typed = this.joined(words_of(text));
+      let typed = words_of(text);
       const meant = typed.filter(([, from, to]) => !stop.has(text.slice(from, to).toLowerCase()));
       if (meant.length > 0) typed = meant;
       // The last word may be going on.
