@@ -205,6 +205,8 @@ def on_post_build(config):
             if row.name.removeprefix("movement.") in settings and page == "docs/commands.md":
                 continue  # the setting says the same
             text = plain(row.cells.get("Meaning") or row.cells["What it does"]).replace("\\", "")
+            if page == "docs/commands.md":
+                text = f"{row.menu}: {text}"
             if row.cells.get("Shortcut"):
                 text += f" Key: {row.cells['Shortcut']}."
             location = page.replace(".md", ".html#") + row.anchor

@@ -5,7 +5,8 @@
 //
 // A section is found by the stems of its words. Words of one line of `synonyms` count for each other, a little less than themselves.
 // Titles count more than text, sections that have all the words more than sections that have some, and rare words more than common
-// ones (BM25F: Robertson, Zaragoza, "The Probabilistic Relevance Framework: BM25 and Beyond", 2009, section 3.6).
+// ones (BM25F: Robertson, Zaragoza, "The Probabilistic Relevance Framework: BM25 and Beyond", 2009, section 3.6). That is multiplied
+// by how alike the question and one wording of the section are: its title, what else it is asked for, or a sentence.
 (() => {
   // Words that say nothing about what is asked for. "why" is a panel of the editor and stays.
   const stop = new Set(`a about after all also am an and any are as at be because been but by can cannot could did do does doing done for
@@ -14,16 +15,20 @@
     way we were what when where which while who will with without won would you your character player players game engine
     keep keeps always sometimes every even only really properly correctly weird bug issue problem problems fix fixing use using used add implement
     support feature into onto upon toward towards both controller controllers everything anything something behave behaves behavior behaviour kind go goes going went able
-    impossible possible another again still longer anymore while during instead list show tell help thing things lot very
+    up down off upon impossible possible another again still longer anymore while during instead list show tell help thing things lot very
     let lets make makes making want wants need needs anyone someone anybody please try tries tried trying happen happens happening seem seems
     kinematic rigidbody characterbody certain given way ways via per etc am i'm m d my own at all one
     work works working don doesn didn`.split(/\s+/));
 
   // What English does not form by a rule.
-  const irregular = new Map(`stuck stick, fell fall, fallen fall, slid slide, ran run, stood stand, went go, held hold, left leave, lost lose,
-    flew fly, slept sleep, threw throw, thrown throw, built build, feet foot, vertices vertex, indices index, axes axis, sped speed,
-    rose rise, risen rise, sank sink, sunk sink, froze freeze, frozen freeze, wrote write, written write, faster fast, slower slow, higher high, lower low,
-    wider wide, larger large, bigger large, big large, smaller small, taller tall, steeper steep, windows windows, better good, best good`
+  const irregular = new Map(`stuck stick, fell fall, fallen fall, slid slide, ran run, stood stand, went go, held hold, left leave, lost lose, flew fly, slept sleep,
+    threw throw, thrown throw, built build, feet foot, vertices vertex, indices index, axes axis, sped speed, rose rise, risen rise, sank sink,
+    sunk sink, froze freeze, frozen freeze, wrote write, written write, faster fast, slower slow, higher high, lower low, wider wide, larger
+    large, bigger large, big large, smaller small, taller tall, steeper steep, windows windows, better good, best good, caught catch, kept keep,
+    led lead, shot shoot, hid hide, hidden hide, hung hang, swung swing, swam swim, spun spin, struck strike, drove drive, driven drive, rode
+    ride, gave give, given give, took take, taken take, came come, saw see, seen see, broke break, broken break, chose choose, chosen choose,
+    drew draw, drawn draw, blew blow, blown blow, grew grow, grown grow, sent send, bent bend, felt feel, met meet, brought bring, taught teach,
+    sat sit, began begin, begun begin, meant mean, shown show, shook shake, shaken shake, woke wake, torn tear, safety safe, safely safe`
     .split(",").map((pair) => pair.trim().split(" ")));
 
   // Words for one thing, one thing a line. A word may stand in several lines.
@@ -81,11 +86,11 @@
     terrain heightfield heightmap landscape
     origin far precision float large zero km kilometre kilometer
     install download setup apt package start begin
-    tutorial start begin introduction guide lesson walkthrough learn
+    tutorial start begin introduction guide lesson learn
     unity unreal godot gdextension plugin
     script automate headless batch
     ci continuous github pipeline action automation nightly
-    image screenshot picture golden snapshot
+    image screenshot picture golden snapshot baseline
     save store autosave
     undo history redo
     paint annotate assign brush apply fill
@@ -186,7 +191,36 @@
     push shove move
     sheet list overview table
     teach student lecture course lesson
-    rust ffi bindings`;
+    rust ffi bindings
+    precise exact accurate accuracy precision
+    align alignment snap
+    buggy unreliable inconsistent flicker random intermittent
+    flaky nondeterministic unstable random
+    attach parent follow carry ride
+    kill die death defeat
+    hurt damage health
+    tile tilemap tileset grid block voxel
+    angle degree steepness inclination
+    threshold tolerance limit
+    approve accept baseline golden
+    pipeline workflow job
+    template starter sample example demo
+    config configuration setting preferences options
+    hover float levitate
+    transform position rotation orientation
+    tick step frame update
+    area volume zone region
+    stay remain hold
+    accelerate acceleration boost
+    decelerate deceleration brake stop
+    border edge rim ledge
+    inherit keep preserve
+    momentum inertia velocity
+    camera viewpoint eye
+    file document format
+    folder directory path
+    reproduce repeat replay
+    headroom ceiling overhead`;
 
   function stem(word) {
     if (irregular.has(word)) word = irregular.get(word);
@@ -236,14 +270,21 @@
   const fields = { title: 5, asked: 3, page: 0.8, text: 1 };
   const of_synonym = 0.2, of_beginning = 0.6;
 
-  const of_wording = 4;
+  // How much a wording and a sentence count that are the question; how much a small word counts in them.
+  const of_wording = 6, of_sentence = 2, of_small = 0.5;
 
-  // How alike the typed words and a wording are, 0 to 1; a word of the same line is half as good as the word itself.
+  // How alike the typed words and a wording are, 0 to 1: how much of their weight they have in common. Of a word that stands only
+  // for the typed one half counts.
   function likeness(typed, wording) {
     let common = 0;
-    for (const [term, others] of typed)
-      common += wording.has(term) ? 1 : [...others].some((other) => wording.has(other)) ? 0.5 : 0;
-    return wording.size ? 2 * common / (typed.length + wording.size) : 0;
+    for (const [word, weight] of typed.words) {
+      if (wording.words.has(word)) common += weight;
+      else for (const other of related.get(word) || []) if (wording.words.has(other)) {
+        common += 0.5 * Math.min(weight, wording.words.get(other));
+        break;
+      }
+    }
+    return 2 * common / Math.max(1, typed.weight + wording.weight);
   }
 
   // Whether one letter too many, too few, another, or two in the other order make one word the other.
@@ -261,7 +302,10 @@
       this.sections = sections;
       this.postings = new Map(); // stem -> Map of section -> weighted count
       const lengths = {};
-      const counted = sections.map((section) => Object.keys(fields).map((field) => [field, words_of(section[field] || "")]));
+      // What a page is asked for, each of its sections is about.
+      const tops = new Map(sections.map((section) => [section.location, section]));
+      const about = (section) => (tops.get(section.location.split("#")[0]) || section).asked || "";
+      const counted = sections.map((section) => Object.keys(fields).map((field) => [field, words_of(`${section[field] || ""} ${field === "page" ? about(section) : ""}`)]));
       for (const field of Object.keys(fields)) {
         const of_all = counted.map((each) => each.find(([name]) => name === field)[1].length).filter((length) => length > 0);
         lengths[field] = of_all.reduce((sum, length) => sum + length, 0) / Math.max(1, of_all.length);
@@ -276,15 +320,22 @@
           }
         }
       });
-      // Of each section the words of its title, and of each wording of its question.
-      this.wordings = sections.map(({ title, asked }) => [title.replace(/ \([\w.]+\)$/, ""), ...(asked || "").split(";")].map((wording) =>
-        new Set(words_of(wording).map(([word]) => word).filter((word) => !small.has(word)))));
+      // Of each section its title, what else it is asked for, and its sentences.
+      this.wordings = sections.map(({ title, asked, text }) => [
+        ...[title.replace(/ \([\w.]+\)$/, ""), ...(asked || "").split(";")].map((each) => ({ ...this.wording(words_of(each)), count: of_wording })),
+        ...text.split(/(?<=[.:;!?])\s+/).map((each) => ({ ...this.wording(words_of(each)), count: of_sentence }))]);
       this.vocabulary = [...this.postings.keys()].sort();
     }
 
     rarity(stem) {
       const count = this.postings.has(stem) ? this.postings.get(stem).size : 0;
       return Math.log(1 + (this.sections.length - count + 0.5) / (count + 0.5));
+    }
+
+    // Words with what each weighs, and all together.
+    wording(found) {
+      const words = new Map(found.map(([word]) => [word, small.has(word) ? of_small : this.knows(word) ? this.rarity(word) : 0]));
+      return { words, weight: [...words.values()].reduce((a, b) => a + b, 0) };
     }
 
     knows(word) {
@@ -316,21 +367,22 @@
     // Sections, best first: [{ section, score, stems }].
     find(query) {
       const whole = query.trim().toLowerCase(), text = query.replace(/['’]/g, "");
-      let typed = words_of(text);
-      const meant = typed.filter(([, from, to]) => !stop.has(text.slice(from, to).toLowerCase()));
-      if (meant.length > 0) typed = meant;
+      const all = words_of(text);
+      const meant = all.filter(([, from, to]) => !stop.has(text.slice(from, to).toLowerCase()));
+      const typed = meant.length > 0 ? meant : all;
       // The last word may be going on.
       const [last, , end] = typed[typed.length - 1] || [];
       const open = end === text.length && this.vocabulary.some((other) => other.startsWith(last));
       const terms = [...new Set(typed.flatMap(([word]) => open && word === last ? [word] : this.known(word)))];
       if (terms.length === 0) return [];
-      const of_words = terms.map((term) => [term, related.get(term) || new Set()]);
       const scores = new Map(); // section -> [score of each term]
+      const rarities = [];
       terms.forEach((term, at) => {
         const meanings = this.meanings(term, open && at === terms.length - 1);
         // A word is as rare as the commonest of what it may stand for, at most; so a rare synonym gains nothing.
         const rarity = this.postings.has(term) ? this.rarity(term) : Math.max(1, ...[...meanings.keys()].filter((each) => this.postings.has(each))
           .map((each) => this.rarity(each)).sort((a, b) => a - b).slice(0, 1));
+        rarities[at] = [...meanings.keys()].some((each) => this.postings.has(each)) ? rarity : 0;
         for (const [stem, weight] of meanings)
           for (const [index, count] of this.postings.get(stem) || []) {
             if (!scores.has(index)) scores.set(index, new Array(terms.length).fill(0));
@@ -338,16 +390,23 @@
             of_terms[at] = Math.max(of_terms[at], weight * rarity * count / (count + 1.5));
           }
       });
-      const found = [];
-      for (const [index, of_terms] of scores) {
-        const section = this.sections[index];
-        const sum = of_terms.reduce((a, b) => a + b, 0);
-        const covered = of_terms.filter((score) => score > 0).length / terms.length;
-        const asked = Math.max(...this.wordings[index].map((words) => likeness(of_words, words)));
-        found.push({ section, index, score: sum * (0.3 + 0.7 * covered * covered) * (1 + of_wording * asked * asked) * (section.weight || 1)
-          * (section.names && section.names.includes(whole) || whole.length > 3 && section.title.toLowerCase().includes(whole) ? 2.5 : 1) });
+      const sum = (values) => values.reduce((a, b) => a + b, 0);
+      const known = Math.max(1e-9, sum(rarities));
+      const asked = this.wording([...terms.map((term) => [term]), ...all.filter(([word]) => small.has(word))]);
+      terms.forEach((term, at) => asked.words.set(term, rarities[at]));
+      asked.weight = sum([...asked.words.values()]);
+      const found = [...scores].map(([index, of_terms]) => {
+        const covered = sum(of_terms.map((score, at) => score > 0 ? rarities[at] : 0)) / known;
+        return { section: this.sections[index], index, score: sum(of_terms) * (0.3 + 0.7 * covered * covered) * (this.sections[index].weight || 1) };
+      });
+      const by_score = (a, b) => b.score - a.score || a.index - b.index;
+      found.sort(by_score).splice(200);
+      for (const each of found) {
+        const { title, names } = each.section;
+        each.score *= 1 + Math.max(...this.wordings[each.index].map((wording) => wording.count * likeness(asked, wording) ** 2));
+        if (names && names.includes(whole) || whole.length > 3 && title.toLowerCase().includes(whole)) each.score *= 2.5;
       }
-      found.sort((a, b) => b.score - a.score || a.index - b.index);
+      found.sort(by_score);
       const stems = new Set(terms.flatMap((term, at) => [...this.meanings(term, open && at === terms.length - 1).keys()]));
       return found.map((each) => ({ ...each, stems, terms }));
     }
