@@ -9,9 +9,10 @@ Row = collections.namedtuple("Row", "name label menu anchor cells")
 tables = {"docs/settings.md": [], "docs/commands.md": []}
 names = {}   # what stands as code -> URL from the site's top
 labels = {}  # what stands in italics -> the same
-# How much a section counts in a search, by the beginning of its address: pages for users before records and headers.
-weights = [("docs/symptoms.html", 1.15), ("docs/tutorials", 1.2), ("index.html", 1.1), ("CHANGELOG", 0.4), ("docs/checks", 0.4),
-           ("docs/performance-", 0.5), ("docs/course-table", 0.5), ("docs/measurements", 0.5), ("docs/settings.html#", 0.7), ("docs/commands.html#", 0.9), ("docs/decisions", 0.7), ("docs/design", 0.75), ("NOTICES", 0.4), ("slipface/", 0.25), ("", 1.0)]
+# How much a section counts in a search, by the beginning of its address: pages for users before overviews, records and headers.
+weights = [("docs/symptoms.html", 1.15), ("index.html", 0.85), ("CHANGELOG", 0.4), ("docs/checks", 0.4), ("docs/performance-", 0.5),
+           ("docs/course-table", 0.5), ("docs/measurements", 0.5), ("docs/settings.html#", 0.7), ("docs/commands.html#", 0.9), ("docs/decisions", 0.7),
+           ("docs/design", 0.75), ("docs/scripting", 0.8), ("docs/movement.html#", 0.95), ("NOTICES", 0.4), ("slipface/", 0.25), ("", 1.0)]
 
 
 def read_rows(path):

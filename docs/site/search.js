@@ -15,7 +15,7 @@
     way we were what when where which while who will with without won would you your character player players game engine
     keep keeps always sometimes every even only really properly correctly weird bug issue problem problems fix fixing use using used add implement
     support feature into onto upon toward towards both controller controllers everything anything something behave behaves behavior behaviour kind go goes going went able
-    up down off upon impossible possible another again still longer anymore while during instead list show tell help thing things lot very
+    up off upon like few super slightly quite bit maybe almost already yet else rather often sort movement impossible possible another again still longer anymore while during instead list show tell help thing things lot very
     let lets make makes making want wants need needs anyone someone anybody please try tries tried trying happen happens happening seem seems
     kinematic rigidbody characterbody certain given way ways via per etc am i'm m d my own at all one
     work works working don doesn didn`.split(/\s+/));
@@ -192,6 +192,7 @@
     sheet list overview table
     teach student lecture course lesson
     rust ffi bindings
+    control ctrl
     precise exact accurate accuracy precision
     align alignment snap
     buggy unreliable inconsistent flicker random intermittent
