@@ -1,7 +1,7 @@
 // The search of the site, in place of its theme's: plain English questions, also by words that the pages do not use.
 //
 // In a page the theme starts this file as a worker, or docs/site/offline_search.js in a frame, and asks it by messages: SETUP with
-// the index that docs/site/hooks.py wrote, then QUERY for each text that is typed. scripts/search_test.mjs loads it in node instead.
+// the index that docs/site/hooks.py wrote, then QUERY for each text that is typed. tests/site/search_test.mjs loads it in node instead.
 //
 // A section is found by the stems of its words. Words of one line of `synonyms` count for each other, a little less than themselves.
 // Titles count more than text, sections that have all the words more than sections that have some, and rare words more than common
@@ -192,7 +192,6 @@
     sheet list overview table
     teach student lecture course lesson
     rust ffi bindings
-    control ctrl
     precise exact accurate accuracy precision
     align alignment snap
     buggy unreliable inconsistent flicker random intermittent
@@ -249,11 +248,11 @@
     else found.push(each);
   }
 
-  // [stem, where the word begins, where it ends] of each word. A name such as step_up is its words, and StepUp, too.
+  // [stem, where the word begins, where it ends] of each word. A name such as step_up is its words, and StepUp, too; Ctrl+Z is one.
   function words_of(text) {
     const found = [];
-    for (const { 0: word, index } of text.matchAll(/[Ff]rame[ -]rates?|\p{L}+\.js\b|[cC](?:\+\+|#)|[\p{Lu}\d]?[\p{Ll}\d]+|[\p{Lu}\d]+/gu))
-      add(found, [stem(word.toLowerCase().replace(/[ .-]/, "")), index, index + word.length]);
+    for (const { 0: word, index } of text.matchAll(/[Cc](?:trl|ontrol)[ +](?:[Ss]hift[ +])?[A-Za-z\d](?![\p{L}\d])|[Ff]rame[ -]rates?|\p{L}+\.js\b|[cC](?:\+\+|#)|[\p{Lu}\d]?[\p{Ll}\d]+|[\p{Lu}\d]+/gu))
+      add(found, [stem(word.toLowerCase().replace(/^control(?=[ +])/, "ctrl").replace(/[ .+-](?!$|\+)/g, "")), index, index + word.length]);
     return found;
   }
 
@@ -306,7 +305,8 @@
       // What a page is asked for, each of its sections is about.
       const tops = new Map(sections.map((section) => [section.location, section]));
       const about = (section) => (tops.get(section.location.split("#")[0]) || section).asked || "";
-      const counted = sections.map((section) => Object.keys(fields).map((field) => [field, words_of(`${section[field] || ""} ${field === "page" ? about(section) : ""}`)]));
+      const counted = sections.map((section) => Object.keys(fields).map((field) =>
+        [field, words_of(`${section[field] || ""} ${field === "page" ? about(section) : ""}`)]));
       for (const field of Object.keys(fields)) {
         const of_all = counted.map((each) => each.find(([name]) => name === field)[1].length).filter((length) => length > 0);
         lengths[field] = of_all.reduce((sum, length) => sum + length, 0) / Math.max(1, of_all.length);
@@ -321,16 +321,21 @@
           }
         }
       });
-      // Of each section its title, what else it is asked for, and its sentences.
-      this.wordings = sections.map(({ title, asked, text }) => [
-        ...[title.replace(/ \([\w.]+\)$/, ""), ...(asked || "").split(";")].map((each) => ({ ...this.wording(words_of(each)), count: of_wording })),
-        ...text.split(/(?<=[.:;!?])\s+/).map((each) => ({ ...this.wording(words_of(each)), count: of_sentence }))]);
+      this.wordings = []; // of each section that was looked at
       this.vocabulary = [...this.postings.keys()].sort();
     }
 
     rarity(stem) {
       const count = this.postings.has(stem) ? this.postings.get(stem).size : 0;
       return Math.log(1 + (this.sections.length - count + 0.5) / (count + 0.5));
+    }
+
+    // A section's title, what else it is asked for, and its sentences.
+    wordings_of(index) {
+      const { title, asked, text } = this.sections[index];
+      const as = (count) => (each) => ({ ...this.wording(words_of(each)), count });
+      return this.wordings[index] ||= [title.replace(/ \([\w.]+\)$/, ""), ...(asked || "").split(";")].map(as(of_wording))
+        .concat(text.split(/(?<=[.:;!?])\s+/).map(as(of_sentence)));
     }
 
     // Words with what each weighs, and all together.
@@ -404,7 +409,7 @@
       found.sort(by_score).splice(200);
       for (const each of found) {
         const { title, names } = each.section;
-        each.score *= 1 + Math.max(...this.wordings[each.index].map((wording) => wording.count * likeness(asked, wording) ** 2));
+        each.score *= 1 + Math.max(...this.wordings_of(each.index).map((wording) => wording.count * likeness(asked, wording) ** 2));
         if (names && names.includes(whole) || whole.length > 3 && title.toLowerCase().includes(whole)) each.score *= 2.5;
       }
       found.sort(by_score);
