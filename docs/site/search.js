@@ -335,7 +335,7 @@
       const { title, asked, text } = this.sections[index];
       const as = (count) => (each) => ({ ...this.wording(words_of(each)), count });
       return this.wordings[index] ||= [title.replace(/ \([\w.]+\)$/, ""), ...(asked || "").split(";")].map(as(of_wording))
-        .concat(text.split(/(?<=[.:;!?])\s+/).map(as(of_sentence)));
+        .concat(text.split(/[.:;!?]\s/).map(as(of_sentence)));
     }
 
     // Words with what each weighs, and all together.
