@@ -1,5 +1,6 @@
 // Where the player can get: search, colours, what was never reached, the paths, and the level's goals.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

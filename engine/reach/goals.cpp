@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -97,7 +98,8 @@ Result<std::vector<GoalAnswer>> check_goals(const Level& level, const Vec3& star
             own_answers.clear();
             for (std::size_t i = 0; i < goals.size(); ++i)
                 own_answers.push_back(answer(*search, i));
-            if (std::ranges::all_of(own_answers, &GoalAnswer::holds) || !search->goals_reached(late)) break;
+            const auto breaks = [](const GoalAnswer& one) { return !one.holds; };
+            if (!std::ranges::any_of(own_answers, breaks) || !search->goals_reached(late)) break;
         }
         for (std::size_t i = 0; i < goals.size(); ++i)
             answers.emplace_back(std::move(own_answers[i])).goal = goals[i];

@@ -82,8 +82,8 @@ class Hurry {
         const auto place = [&](std::size_t i) { return ticks.begin() + static_cast<std::ptrdiff_t>(i); };
         switch (draw(4)) {
             case 0: {  // straight to where they end, in fewer
-                const auto same = [&](const Press& one) { return one.buttons == some.front().buttons; };
-                if (!std::ranges::all_of(some, same)) return false;
+                const auto differs = [&](const Press& one) { return one.buttons != some.front().buttons; };
+                if (std::ranges::any_of(some, differs)) return false;
                 const Vec3& to = first + count == ticks.size() ? world_.goals[goal_] : at_[first + count];
                 const Vec3 way = to - at_[first];
                 const std::size_t less = draw(1 + count / 8);
