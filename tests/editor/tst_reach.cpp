@@ -146,6 +146,9 @@ TEST_F(ReachPanel, GoalsAreAddedNamedChangedAndJudged) {
                   "drag \"Reach/Goal/Goal 1/Within\" 20 0"),
               "");
     ASSERT_TRUE(document().level().goals[0].within_s);
+    ASSERT_EQ(run("click \"Reach/Goal/Goal 1/Settings\"\ntype \"dash=off jump_speed=7\"\nkey Enter"), "");
+    EXPECT_EQ(document().level().goals[0].settings, (std::vector<std::string>{"dash=off", "jump_speed=7"}));
+    EXPECT_EQ(goal_state(editor(), 0), "by reach --check");
     ASSERT_EQ(run("hover \"Reach/Goal/Goal 1/Row\"\nclick \"Reach/Goal/Goal 1/Rename\"\n"
                   "expect widget \"Reach/Goal/Goal 1/Name\"\nkey Ctrl+A\n"
                   "type \"roof\"\nkey Enter"),
