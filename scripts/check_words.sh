@@ -12,6 +12,7 @@ words=(
     '\b(row|line|byte|bytes|triangle|metre|tick) a (tick|face|triangle|cell|second|record|row)\b'  'per'
     '\bhollow (surface|edge)s?\b'                                'concave'
     '\bsweeps? (meets?|met)\b'                                   'hits'
+    '\bM_PI\b'                                                   'std::numbers::pi, which Windows has, too'
 )
 bad=0
 for ((i = 0; i < ${#words[@]}; i += 2)); do

@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 using Json = nlohmann::json;
 
@@ -114,7 +115,7 @@ struct Run {
         controller = std::make_unique<btKinematicCharacterController>(
             &ghost, capsule.get(), btScalar(setting("step_height", 0.4)), btVector3(0, 1, 0));
         controller->setGravity({0, -gravity, 0});
-        controller->setMaxSlope(btScalar(setting("max_slope_deg", 50) * M_PI / 180));
+        controller->setMaxSlope(btScalar(setting("max_slope_deg", 50) * std::numbers::pi / 180));
         controller->setJumpSpeed(btScalar(jump_speed));
         controller->setFallSpeed(55);
         controller->warp(start.getOrigin());  // setting the up axis has turned the capsule

@@ -152,7 +152,7 @@ void goal_rows(Editor& editor, std::size_t index) {
         }
     }
     std::string settings = fmt::format("{}", fmt::join(goal.settings, " "));
-    if (ui::input_text("##Settings", &settings, "dash=off")) {
+    if (ui::input_text("##Settings", &settings, "settings: dash=off")) {
         if (Result<std::vector<std::string>> read = goal_settings(settings)) {
             live_edit(editor, "Change goal " + goal.name);
             goal.settings = std::move(*read);

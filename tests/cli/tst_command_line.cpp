@@ -14,7 +14,10 @@ namespace {
 class CommandLine : public Scratch {
   protected:
     // The exit code; what was printed is in `out` and `err`.
-    int run(std::vector<std::string> words) {
+    int run(const std::vector<std::filesystem::path>& typed) {
+        std::vector<std::string> words;
+        for (const std::filesystem::path& word : typed)
+            words.push_back(word.string());
         CLI::App app;
         int exit_code = cli::exit_fine;
         cli::add_data_verbs(app, exit_code);

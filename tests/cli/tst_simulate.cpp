@@ -55,7 +55,7 @@ TEST_F(Simulate, TheSameTapeGivesTheSameText) {
 // A preset is asked for by name, so it counts before what a tape that names all its settings recorded.
 TEST_F(Simulate, APresetComesBeforeTheTapesSettings) {
     const std::string tape = "settings defaults\nstart 0,5,0\n30\n";
-    const std::string path = write("preset.tape", "slipface-tape 1\n" + tape);
+    const std::string path = write("preset.tape", "slipface-tape 1\n" + tape).string();
     ASSERT_EQ(run(tape), cli::exit_fine) << err.str();
     const auto fallen = result()["final_state"]["velocity"][1].get<double>();
     ASSERT_EQ(run(tape, {"gravity=9.81"}), cli::exit_fine) << err.str();
@@ -74,7 +74,7 @@ TEST_F(Simulate, APresetComesBeforeTheTapesSettings) {
 }
 
 TEST_F(Simulate, TellsWhatHappenedInATick) {
-    const std::string path = write("tell.tape", "slipface-tape 1\ndt 1/60\n60\n1 jump\n9\n");
+    const std::string path = write("tell.tape", "slipface-tape 1\ndt 1/60\n60\n1 jump\n9\n").string();
     const auto describe = [&](std::size_t tick) {
         out.str("");
         err.str("");

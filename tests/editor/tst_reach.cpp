@@ -143,7 +143,7 @@ TEST_F(ReachPanel, GoalsAreAddedNamedChangedAndJudged) {
     ASSERT_EQ(run("click \"Reach/Search\"\nfinish"), "");
     EXPECT_NE(goal_state(editor(), 0).find("broken"), std::string::npos);
     ASSERT_EQ(run("click \"Reach/Goal/Goal 1/Kind\"\nclick \"Reach/Goal/Goal 1/Kind/reach\"\n"
-                  "drag \"Reach/Goal/Goal 1/Within\" 20 0"),
+                  "wait 40\ndrag \"Reach/Goal/Goal 1/Within\" 20 0"),
               "");
     ASSERT_TRUE(document().level().goals[0].within_s);
     ASSERT_EQ(run("click \"Reach/Goal/Goal 1/Settings\"\ntype \"dash=off jump_speed=7\"\nkey Enter"), "");

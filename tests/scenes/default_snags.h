@@ -1,6 +1,8 @@
 // Snags under the settings of a new level: what stops a player for whom every hack is on.
 #pragma once
 
+#include <numbers>
+
 #include "snags.h"
 
 namespace slipface::test {
@@ -39,11 +41,11 @@ inline std::vector<Snag> SnagMaker::make_under_defaults() {
     {
         const double slope = between(50.5, 65.0);
         Shapes shapes = floor();
-        shapes.ramp({-6, -0.01, z}, 12, 6, 6 * std::tan(slope * M_PI / 180));
+        shapes.ramp({-6, -0.01, z}, 12, 6, 6 * std::tan(slope * std::numbers::pi / 180));
         add("steep slope", degrees_text(slope), shapes, {StopCause::slope}).passed_z = z - 0.8;
     }
     {
-        const double angle = between(70, 120) * M_PI / 180, turn = between(-0.2, 0.2);
+        const double angle = between(70, 120) * std::numbers::pi / 180, turn = between(-0.2, 0.2);
         Shapes shapes = floor();
         // Two walls that meet ahead.
         const Vec3 tip(0, 0, z - 1.0);
@@ -59,7 +61,7 @@ inline std::vector<Snag> SnagMaker::make_under_defaults() {
         };
         wall(-1.0);
         wall(1.0);
-        add("corner", degrees_text(angle * 180 / M_PI), shapes, {StopCause::corner}).group = "";
+        add("corner", degrees_text(angle * 180 / std::numbers::pi), shapes, {StopCause::corner}).group = "";
     }
     {
         const double length = between(1.5, 3.0);
@@ -103,7 +105,7 @@ inline std::vector<Snag> SnagMaker::make_under_defaults() {
         snag.passed_z = z - gap - 1;
     }
     {
-        const double degrees = between(58, 74), heading = degrees * M_PI / 180;
+        const double degrees = between(58, 74), heading = degrees * std::numbers::pi / 180;
         Shapes shapes;
         shapes.group("floor").material("plaster").box({-40, -1, -60}, {40, 0, 60});
         shapes.group("snag").material("stone").box({2.0, 0, -60}, {2.5, 3, 60});

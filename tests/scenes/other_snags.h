@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numbers>
 
 #include "snags.h"
 
@@ -100,7 +101,7 @@ inline std::vector<Snag> SnagMaker::make_others() {
     }
     {
         const double slope = between(52, 62), high = between(0.6, 2.0);
-        const double length = high / std::tan(slope * M_PI / 180);
+        const double length = high / std::tan(slope * std::numbers::pi / 180);
         Shapes shapes = floor();
         shapes.polygon({{-6, 0, z}, {6, 0, z}, {6, high, z - length}, {-6, high, z - length}});
         shapes.group("top").box({-6, -1, -30}, {6, high, z - length});
@@ -109,7 +110,7 @@ inline std::vector<Snag> SnagMaker::make_others() {
     }
     {
         // The height is that of the kerb above the ramp's end, not above the player's feet.
-        const double slope = between(10, 40) * M_PI / 180, length = between(2.0, 4.0);
+        const double slope = between(10, 40) * std::numbers::pi / 180, length = between(2.0, 4.0);
         const double rise = length * std::tan(slope), high = between(0.45, 0.8);
         Shapes shapes = floor();
         shapes.group("ramp").ramp({-4, 0, z}, 8, length, rise);
@@ -119,7 +120,7 @@ inline std::vector<Snag> SnagMaker::make_others() {
         snag.size_m = high;
     }
     {
-        const double slope = between(10, 25) * M_PI / 180, from = between(1.0, 3.0);
+        const double slope = between(10, 25) * std::numbers::pi / 180, from = between(1.0, 3.0);
         const double low = between(1.6, 1.72);
         Shapes shapes = floor();
         shapes.group("ramp").ramp({-4, 0, z}, 8, 6, 6 * std::tan(slope));
@@ -148,7 +149,8 @@ inline std::vector<Snag> SnagMaker::make_others() {
             const double x = side * (wide + 0.5 * between_m), cz = z - 1.0;
             std::vector<Vec3> ring;
             for (int i = 0; i < 12; ++i)
-                ring.emplace_back(x + wide * std::cos(i * M_PI / 6), 0.0, cz - wide * std::sin(i * M_PI / 6));
+                ring.emplace_back(x + wide * std::cos(i * std::numbers::pi / 6), 0.0,
+                                  cz - wide * std::sin(i * std::numbers::pi / 6));
             const Vec3 up(0, 3, 0);
             for (std::size_t i = 0; i < ring.size(); ++i) {
                 const Vec3 a = ring[i], b = ring[(i + 1) % ring.size()];

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <numbers>
 #include <set>
 
 #include "shapes.h"
@@ -124,10 +125,10 @@ inline std::vector<Snag> SnagMaker::make() {
     {
         const double limit = between(20, 50), over = between(0.3, 4.0);
         MovementSettings s = lecture_settings();
-        s.max_slope = limit * M_PI / 180;
+        s.max_slope = limit * std::numbers::pi / 180;
         Shapes shapes = ground();
         const double length = 12.0;
-        shapes.ramp({-4, 0, z}, 8, length, length * std::tan((limit + over) * M_PI / 180));
+        shapes.ramp({-4, 0, z}, 8, length, length * std::tan((limit + over) * std::numbers::pi / 180));
         snags.push_back(snag_of("slope over the limit",
                                 degrees_text(limit + over) + ", limit " + degrees_text(limit), shapes, s,
                                 {StopCause::slope}));
@@ -135,7 +136,7 @@ inline std::vector<Snag> SnagMaker::make() {
     {
         const double h = between(0.003, 0.02);
         MovementSettings s = lecture_settings();
-        s.max_slope = between(3.0, 8.0) * M_PI / 180;
+        s.max_slope = between(3.0, 8.0) * std::numbers::pi / 180;
         Shapes shapes = ground();
         shapes.box({-8, 0, -24}, {8, h, z});
         snags.push_back(snag_of("seam", metres(h), shapes, s, {StopCause::step, StopCause::slope}));
@@ -178,7 +179,8 @@ inline std::vector<Snag> SnagMaker::make() {
         snags.push_back(snag_of("needle gap", metres(w), shapes, lecture_settings(), {StopCause::gap}));
     }
     {
-        const double w = between(0.3, 0.7), half = std::tan(between(5, 25) * M_PI / 180) * 3 + 0.5 * w;
+        const double w = between(0.3, 0.7),
+                     half = std::tan(between(5, 25) * std::numbers::pi / 180) * 3 + 0.5 * w;
         Shapes shapes = ground();
         shapes.polygon({{-half, 0, z}, {-0.5 * w, 0, z - 3}, {-0.5 * w, 3, z - 3}, {-half, 3, z}});
         shapes.polygon({{0.5 * w, 0, z - 3}, {half, 0, z}, {half, 3, z}, {0.5 * w, 3, z - 3}});
@@ -231,7 +233,7 @@ inline std::vector<Snag> SnagMaker::make() {
         const double slope = between(15, 40), hold = between(0.0, 0.09);
         Shapes shapes = ground();
         shapes.group("snag").material("mud__slippery");
-        shapes.ramp({-8, 0, z}, 16, 12, 12 * std::tan(slope * M_PI / 180));
+        shapes.ramp({-8, 0, z}, 16, 12, 12 * std::tan(slope * std::numbers::pi / 180));
         Snag snag = snag_of("slippery slope", degrees_text(slope) + ", friction " + number_text(hold), shapes,
                             lecture_settings(), {StopCause::slippery}, "15 wish 0,0\n240 wish 0,-1\n");
         SurfaceType mud;
@@ -303,7 +305,7 @@ inline std::vector<Snag> SnagMaker::make() {
         // Two sheets of one floor, one of them too high: nothing stands between them.
         const double h = between(0.004, 0.03);
         MovementSettings s = lecture_settings();
-        s.max_slope = between(3.0, 8.0) * M_PI / 180;
+        s.max_slope = between(3.0, 8.0) * std::numbers::pi / 180;
         Shapes shapes;
         shapes.group("floor").material("plaster").polygon({{-8, 0, 5}, {8, 0, 5}, {8, 0, z}, {-8, 0, z}});
         shapes.group("snag").polygon({{-8, h, z}, {8, h, z}, {8, h, -24}, {-8, h, -24}});
@@ -371,7 +373,7 @@ inline std::vector<Snag> SnagMaker::make() {
     {
         // A ramp that ends below the floor that it leads to.
         const double slope = between(10, 30), lip = between(0.15, 0.34), length = between(2.0, 4.0);
-        const double rise = length * std::tan(slope * M_PI / 180);
+        const double rise = length * std::tan(slope * std::numbers::pi / 180);
         Shapes shapes = ground();
         shapes.group("ramp").ramp({-4, 0, z}, 8, length, rise);
         shapes.group("snag").box({-4, 0, -24}, {4, rise + lip, z - length});
@@ -398,7 +400,7 @@ inline std::vector<Snag> SnagMaker::make() {
         snags.push_back(std::move(snag));
     }
     {
-        const double in = between(0.05, 0.2), half = between(8, 15) * M_PI / 180;
+        const double in = between(0.05, 0.2), half = between(8, 15) * std::numbers::pi / 180;
         MovementSettings s = lecture_settings();
         s.push_out = PushOut::off;
         // A corner of two walls that the player begins inside of, and walks along.

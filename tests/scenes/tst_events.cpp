@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "slipface/sim/run_events.h"
 #include "snags.h"
@@ -108,7 +109,7 @@ TEST_P(Events, AHeldButtonDoesNotJumpAgain) {
 }
 
 TEST_P(Events, ATooSteepSlopeGivesNoJump) {
-    const double slope = maker.between(55, 70) * M_PI / 180;
+    const double slope = maker.between(55, 70) * std::numbers::pi / 180;
     Shapes ramp;
     ramp.group("thing").material("stone").ramp({-20, -40, 20}, 40, 40, 40 * std::tan(slope));
     shapes = ramp;
@@ -156,7 +157,7 @@ TEST_P(Events, ABeltCarriesWhoStandsStill) {
 }
 
 TEST_P(Events, AWallTurnsAside) {
-    const double degrees = maker.between(25, 60), heading = degrees * M_PI / 180;
+    const double degrees = maker.between(25, 60), heading = degrees * std::numbers::pi / 180;
     shapes.box({2.0, 0, -40}, {2.5, 3, 20});
     char inputs[96];
     std::snprintf(inputs, sizeof inputs, "15 wish 0,0\n90 wish %.6f,%.6f\n", std::sin(heading),
@@ -169,7 +170,7 @@ TEST_P(Events, AWallTurnsAside) {
 
 TEST_P(Events, WhoIsSlowerUphillReadsWhy) {
     settings.constant_slope_speed = false;
-    const double slope = maker.between(30, 45) * M_PI / 180;
+    const double slope = maker.between(30, 45) * std::numbers::pi / 180;
     shapes.ramp({-5, 0, -2}, 10, 20, 20 * std::tan(slope));
     expect_event(walk_with("15 wish 0,0\n120 wish 0,-1\n"), "slower", "Slower than asked on `thing`");
 }

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <numbers>
 #include <regex>
 
 #include "default_snags.h"
@@ -202,7 +203,8 @@ TEST(Snags, AWalkThatNothingStopsHasNoHeadline) {
     for (const double slope : {0.0, 20.0, 45.0, 49.5}) {
         Shapes shapes;
         shapes.group("floor").box({-8, -1, -30}, {8, 0, 5});
-        if (slope > 0.0) shapes.group("ramp").ramp({-4, 0, -2}, 8, 20, 20 * std::tan(slope * M_PI / 180));
+        if (slope > 0.0)
+            shapes.group("ramp").ramp({-4, 0, -2}, 8, 20, 20 * std::tan(slope * std::numbers::pi / 180));
         const Snag free =
             snag_of("free", "", shapes, s, {}, "15 wish 0,0\n90 wish 0,-1\n20 wish 0,0\n40 wish 1,0\n");
         const Walk walked = walk(free.level, free.tape, false);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <regex>
 
 #include "sim/stripes.h"
@@ -14,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double degrees = 180.0 / M_PI;
+constexpr double degrees = 180.0 / std::numbers::pi;
 
 // A number that a line must show, worked out here again from the record. Lengths are shown in m or mm.
 struct Value {
