@@ -303,12 +303,12 @@ Result<std::vector<std::string>> goal_settings(const std::string& text) {
 }
 
 std::string goal_state(const Editor& editor, std::size_t index) {
-    if (!editor.reach || !editor.reach->report() || !editor.reach->fits(*editor.document) ||
-        !editor.reach->fits_goals(*editor.document))
-        return {};
     const Goal& goal = editor.document->level().goals[index];
     // The panel searches from the spawn under the level's own settings.
     if (!goal.from.empty() || !goal.settings.empty()) return "by reach --check";
+    if (!editor.reach || !editor.reach->report() || !editor.reach->fits(*editor.document) ||
+        !editor.reach->fits_goals(*editor.document))
+        return {};
     for (const ReachReport::NamedGoal& one : editor.reach->report()->goals) {
         if (one.name != goal.name) continue;
         if (!one.time_s) return goal.kind == GoalKind::never ? "holds" : "not reached";
