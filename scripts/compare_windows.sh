@@ -61,7 +61,7 @@ level="Höhle 洞窟 пещера/levels/easy.obj"
 same "audit" audit "$level" --walkers 4 --seconds 20 --json
 same "reach" reach "$level" --rounds 40 --json
 same "a file that is missing" simulate "$level" --tape "Höhle/fehlt.tape"
-same "a verb that is none" jump "$level"
+same "an option that is none" simulate "$level" --nonsense
 same "a verb without arguments" simulate
 same "presets" preset
 same "demos" demo

@@ -24,7 +24,9 @@ class NamedFiles : public test::InScratchFolder {
         fs::create_symlink("../secret", folder / "level" / "link", no_links);
         fs::create_symlink("../../beside", folder / "level" / "parts" / "way", no_links);
         fs::create_symlink("parts/deep", folder / "level" / "inner", no_links);
+        has_links = !no_links;
     }
+    bool has_links = false;  // the library for Windows makes none
     const fs::path level = folder / "level";
 };
 
@@ -36,10 +38,12 @@ TEST_F(NamedFiles, AreThoseOfTheFolderAndBelow) {
     for (const char* name : {"", "x", "parts/x", "a/x"})
         EXPECT_EQ(named_file(name, level).state, State::missing) << name;
     EXPECT_EQ(named_file(std::string_view("a\0b", 3), level).state, State::missing);
-    for (const char* name : {"../secret", "..\\secret", "parts/../../secret", "link", "parts/way/b",
-                             "/etc/passwd", "../no such file"})
+    for (const char* name :
+         {"../secret", "..\\secret", "parts/../../secret", "/etc/passwd", "../no such file"})
         EXPECT_EQ(named_file(name, level).state, State::outside) << name;
-    EXPECT_NE(named_file("link", level).error().message.find("outside"), std::string::npos);
+    EXPECT_NE(named_file("../secret", level).error().message.find("outside"), std::string::npos);
+    for (const char* name : {"link", "parts/way/b"})
+        EXPECT_EQ(named_file(name, level).state, has_links ? State::outside : State::missing) << name;
     EXPECT_NE(named_file("x", level).error().location.find("level"), std::string::npos);
 }
 
