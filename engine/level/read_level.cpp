@@ -62,7 +62,7 @@ class LevelReader {
         : reader_(location), props_mesh_path_(std::move(props.mesh_path)) {
         level_.mesh = std::move(mesh);
         level_.placed.meshes = std::move(props.known);
-        level_.file_path = location;
+        level_.file_path = path_of(location);
         level_.movement = basic_settings();
         level_.spawn_is_set = false;
     }
