@@ -14,6 +14,7 @@ namespace {
 
 int run(const VerbProgram& program, std::vector<std::string> arguments) {
     CLI::App app(program.description, program.name);
+    app.allow_windows_style_options(false);  // /x is a path on every system
     app.set_version_flag("--version", program.name + " " + program_version());
     app.footer(program.footer);
     int exit_code = exit_fine;

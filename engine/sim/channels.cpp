@@ -58,7 +58,10 @@ constexpr RunChannel channels[] = {
      [](const TapeRun& run, std::size_t tick) {
          const TickSample& sample = at(run, tick);
          if (sample.ground_face == no_id) return nan;
-         return std::acos(std::clamp(sample.ground_normal.y(), -1.0, 1.0)) * 180.0 / std::numbers::pi;
+         // C libraries differ in the last bits.
+         constexpr double steps = 1e9;
+         const double slope = std::acos(std::clamp(sample.ground_normal.y(), -1.0, 1.0));
+         return std::round(slope * 180.0 / std::numbers::pi * steps) / steps;
      }},
     {"grounded", "Grounded", "", "1 while the player stands on something", true,
      [](const TapeRun& run, std::size_t tick) { return at(run, tick).grounded ? 1.0 : 0.0; }},
