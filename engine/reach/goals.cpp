@@ -34,10 +34,11 @@ GoalAnswer answer(const ReachSearch& search, std::size_t index) {
     if (reached.found()) answer.tape = search.tape_to(reached.node);
     if (answer.tape) {
         answer.time_s = reached.tick * search.options().dt;
-        if (goal.within_s && *answer.time_s > *goal.within_s) {
-            answer.tape = search.hurried_tape_to(index);
-            answer.time_s = static_cast<double>(answer.tape->tick_count()) * answer.tape->dt;
-        }
+        if (goal.within_s && *answer.time_s > *goal.within_s)
+            if (std::optional<Tape> shorter = search.hurried_tape_to(index)) {
+                answer.time_s = static_cast<double>(shorter->tick_count()) * shorter->dt;
+                answer.tape = std::move(shorter);
+            }
         const FaceId face = search.archive().nodes[reached.node].state.ground_face;
         const bool late = goal.within_s && *answer.time_s > *goal.within_s;
         answer.holds = goal.kind == GoalKind::reach && !late;

@@ -34,27 +34,36 @@ class Hurry {
     Hurry(const ReachWorld& world, TickScenes& scenes, const PlayerState& begin, std::size_t goal)
         : world_(world), scenes_(scenes), begin_(begin), goal_(goal), random_(world.options.seed) {}
 
+    // No longer than `best`, which reaches the goal.
     Ticks run(Ticks best) {
-        if (!reaches(best, best.size(), at_)) return best;
-        std::vector<Vec3> at;
+        if (!reaches(best, best.size(), played_)) return best;
+        Played played;
         const double within = world_.level->goals[goal_].within_s.value_or(0.0) / world_.options.dt;
         for (std::size_t idle = 0; steps_ < max_steps && idle < idle_trials; ++idle) {
             if (static_cast<double>(best.size()) <= within) break;
             Ticks other = best;
-            if (!change(other) || !reaches(other, best.size(), at)) continue;
+            if (!change(other) || !reaches(other, best.size(), played)) continue;
             if (other.size() < best.size()) idle = 0;
             best.swap(other);
-            at_.swap(at);
+            std::swap(played_, played);
         }
         return best;
     }
+    // Where run() ended, for the proof.
+    const PlayerState& end() const { return played_.end; }
 
   private:
-    // Ends `ticks` where it reaches the goal; false: not in `limit` ticks. The last input goes on. `at`:
-    // where each tick begins, and the end.
-    bool reaches(Ticks& ticks, std::size_t limit, std::vector<Vec3>& at) {
+    struct Played {
+        std::vector<Vec3> at;  // where each tick begins, and the end; scene coordinates
+        PlayerState end;
+    };
+
+    // Ends `ticks` where it reaches the goal; false: not in `limit` ticks. The last input goes on.
+    bool reaches(Ticks& ticks, std::size_t limit, Played& played) {
         if (ticks.empty()) return false;
-        PlayerState state = begin_;
+        std::vector<Vec3>& at = played.at;
+        PlayerState& state = played.end;
+        state = begin_;
         const double radius = world_.level->goals[goal_].radius;
         at.assign(1, position_in_scene(scenes_.at(0), state));
         ticks.resize(std::max(limit, ticks.size()), ticks.back());
@@ -84,8 +93,9 @@ class Hurry {
             case 0: {  // straight to where they end, in fewer
                 const auto differs = [&](const Press& one) { return one.buttons != some.front().buttons; };
                 if (std::ranges::any_of(some, differs)) return false;
-                const Vec3& to = first + count == ticks.size() ? world_.goals[goal_] : at_[first + count];
-                const Vec3 way = to - at_[first];
+                const Vec3& to =
+                    first + count == ticks.size() ? world_.goals[goal_] : played_.at[first + count];
+                const Vec3 way = to - played_.at[first];
                 const std::size_t less = draw(1 + count / 8);
                 lead({way.x(), way.z()}, some.first(count - less));
                 ticks.erase(place(first + count - less), place(first + count));
@@ -115,7 +125,7 @@ class Hurry {
     const PlayerState& begin_;
     std::size_t goal_;
     ReachRandom random_;
-    std::vector<Vec3> at_;  // of the best one: where each tick begins, and the end; scene coordinates
+    Played played_;  // the best one
     std::size_t steps_ = 0;
 };
 
@@ -129,7 +139,8 @@ std::optional<Tape> ReachSearch::hurried_tape_to(std::size_t goal) const {
         ticks.insert(ticks.end(), press.ticks, {1, press.stick, press.buttons});
     Impl::Lease lease(*impl_);
     Hurry hurry(impl_->world, lease.scenes(), impl_->archive.nodes.front().state, goal);
-    return impl_->checked_tape(hurry.run(std::move(ticks)), nullptr);
+    const Ticks shorter = hurry.run(std::move(ticks));
+    return impl_->checked_tape(shorter, &hurry.end());
 }
 
 }  // namespace slipface
